@@ -148,7 +148,7 @@ fn held(mut model: Model, count: usize) -> Model {
         .map(|index| InnerSupport {
             name: format!("B{index}"),
             position: length * (index as f64 - 0.3) / count as f64,
-            support,
+            support: support.clone(),
         })
         .collect();
     model
@@ -425,7 +425,7 @@ fn stiffen(model: &mut Model, left: bool) {
         &mut supports.right
     };
     if let Restraint::Elastic(elastic) = &mut end[BeamMotion::W] {
-        elastic.stiffness *= 1.01;
+        elastic.spring.stiffness *= 1.01;
     }
 }
 

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
-    self, BeamMotion, Elastic, Force, Measure, Model, Place, Quantity, Response, Restraint,
+    self, BeamMotion, Elastic, Force, Measure, Model, Place, Quantity, Response, Restraint, Spring,
     Support, Target,
 };
 use beamtune::presets;
@@ -94,16 +94,18 @@ impl Single {
 fn rigid(damping: f64) -> (Model, Single) {
     let mut model = preset("fig06");
     let half = Elastic {
-        stiffness: 500.0,
-        damping: damping / 2.0,
+        spring: Spring {
+            stiffness: 500.0,
+            damping: damping / 2.0,
+            ..Spring::default()
+        },
         inertia: 0.0,
-        loss_factor: 0.0,
     };
     let mut support = Support::FREE;
     support[BeamMotion::W] = Restraint::Elastic(half);
     support[BeamMotion::Psi] = Restraint::Fixed;
     support[BeamMotion::V] = Restraint::Fixed;
-    (model.supports.left, model.supports.right) = (support, support);
+    (model.supports.left, model.supports.right) = (support.clone(), support);
     model.beam.material.young_modulus *= 1e4;
     model.beam.section.centroid_offset = 0.0;
     let middle = model.beam.length / 2.0;

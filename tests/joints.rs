@@ -34,7 +34,7 @@ fn joint(position: f64, links: &[(BeamMotion, Link)]) -> Joint {
         ..Joint::default()
     };
     for (motion, link) in links {
-        joint[*motion] = *link;
+        joint[*motion] = link.clone();
     }
     joint
 }

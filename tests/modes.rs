@@ -10,6 +10,8 @@ mod common;
 
 #[path = "common/checked.rs"]
 mod checked;
+#[path = "modes/maxwell.rs"]
+mod maxwell;
 #[path = "modes/spans.rs"]
 mod spans;
 
@@ -149,7 +151,7 @@ fn a_foundation_without_symmetry() {
 fn between(position: f64, restraints: &[(BeamMotion, Restraint)]) -> InnerSupport {
     let mut support = Support::FREE;
     for (motion, restraint) in restraints {
-        support[*motion] = *restraint;
+        support[*motion] = restraint.clone();
     }
     InnerSupport {
         name: "B1".to_owned(),
@@ -170,16 +172,16 @@ fn supports_and_masses_anywhere_without_symmetry() {
     held.supports.inner = vec![between(
         0.6,
         &[
-            (BeamMotion::W, fixed),
-            (BeamMotion::V, fixed),
-            (BeamMotion::Psi, fixed),
+            (BeamMotion::W, fixed.clone()),
+            (BeamMotion::V, fixed.clone()),
+            (BeamMotion::Psi, fixed.clone()),
         ],
     )];
     assert_modes(&held, &[147.661_35, 253.268_16, 337.593_41, 557.628_03]);
     let mut in_bearing = pinned();
     in_bearing.supports.inner = vec![between(
         0.6,
-        &[(BeamMotion::W, fixed), (BeamMotion::V, fixed)],
+        &[(BeamMotion::W, fixed.clone()), (BeamMotion::V, fixed)],
     )];
     assert_modes(
         &in_bearing,
@@ -187,7 +189,10 @@ fn supports_and_masses_anywhere_without_symmetry() {
     );
 
     let spring = Restraint::Elastic(Elastic {
-        stiffness: 1e5,
+        spring: Spring {
+            stiffness: 1e5,
+            ..Spring::default()
+        },
         ..Elastic::default()
     });
     let mut sprung = pinned();
@@ -391,9 +396,9 @@ fn mass_on_springs(position: f64, spring: Spring) -> Subsystem {
         position,
         mass: 10.0,
         inertia: 1.0,
-        y_left: spring,
-        y_right: spring,
-        z_left: spring,
+        y_left: spring.clone(),
+        y_right: spring.clone(),
+        z_left: spring.clone(),
         z_right: spring,
         arm_left: 0.2,
         arm_right: 0.2,
@@ -413,7 +418,7 @@ fn mass_on_stiff_beam(stiffness: f64, damping: f64) -> Model {
         Spring {
             stiffness,
             damping,
-            loss_factor: 0.0,
+            ..Spring::default()
         },
     )];
     model
@@ -491,7 +496,10 @@ fn rigid_body_modes_are_at_zero() {
     model.supports.left[BeamMotion::W] = Restraint::Fixed;
     assert_eq!(zeros(&model), 4);
     model.supports.right[BeamMotion::W] = Restraint::Elastic(Elastic {
-        stiffness: 1e-3,
+        spring: Spring {
+            stiffness: 1e-3,
+            ..Spring::default()
+        },
         ..Elastic::default()
     });
     assert_eq!(zeros(&model), 3);
@@ -521,7 +529,7 @@ fn fifty_absorbers(seed: u64) -> Model {
             let spring = Spring {
                 stiffness: next(1e4, 4e6),
                 damping: next(0.0, 200.0),
-                loss_factor: 0.0,
+                ..Spring::default()
             };
             Subsystem {
                 name: format!("A{index}"),
@@ -577,10 +585,12 @@ fn modes_that_are_followed_and_counted_are_those_found_afresh() {
             subsystem.z_left.damping *= 1.1;
         }
         model.supports.left[BeamMotion::W] = Restraint::Elastic(Elastic {
-            stiffness: 4e7 * (1.0 - 0.05 * f64::from(step)),
-            damping: 800.0,
+            spring: Spring {
+                stiffness: 4e7 * (1.0 - 0.05 * f64::from(step)),
+                damping: 800.0,
+                ..Spring::default()
+            },
             inertia: 0.0,
-            loss_factor: 0.0,
         });
         followed = follow(&checked(&model), &followed, &NEVER).unwrap();
         assert_eq!(followed.completeness, Completeness::Uncounted);
@@ -815,10 +825,10 @@ proptest! {
         let motion = BeamMotion::ALL[at];
         let mut stiffer = model.clone();
         let restraint = &mut stiffer.supports.left[motion];
-        *restraint = match *restraint {
+        *restraint = match restraint.clone() {
             Restraint::Fixed => Restraint::Fixed,
-            Restraint::Free => Restraint::Elastic(Elastic { stiffness: 10.0_f64.powf(power), ..Elastic::default() }),
-            Restraint::Elastic(elastic) => Restraint::Elastic(Elastic { stiffness: elastic.stiffness + 10.0_f64.powf(power), ..elastic }),
+            Restraint::Free => Restraint::Elastic(Elastic { spring: Spring { stiffness: 10.0_f64.powf(power), ..Spring::default() }, ..Elastic::default() }),
+            Restraint::Elastic(elastic) => Restraint::Elastic(Elastic { spring: Spring { stiffness: elastic.spring.stiffness + 10.0_f64.powf(power), ..elastic.spring }, ..elastic }),
         };
         let (before, after) = (count(&checked(&model), hertz), count(&checked(&stiffer), hertz));
         prop_assert!(after == before || after + 1 == before, "{} {}", before, after);

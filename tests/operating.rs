@@ -13,8 +13,8 @@ use checked::checked;
 use std::f64::consts::{PI, TAU};
 
 use beamtune::model::{
-    self, BeamMotion, Bedding, Elastic, Force, Joint, MassMotion, Model, Place, Restraint, Support,
-    SupportId, Target,
+    self, BeamMotion, Bedding, Elastic, Force, Joint, MassMotion, Model, Place, Restraint, Spring,
+    Support, SupportId, Target,
 };
 use beamtune::presets;
 use beamtune::solve::operating::{Damper, Operating, operating};
@@ -649,10 +649,12 @@ fn a_section_without_warping_carries_no_bimoment() {
     let mut model = bare(Support::CLAMPED, Support::FREE, vec![tip]);
     model.beam.section.warping_constant = 0.0;
     model.supports.right[BeamMotion::PsiSlope] = Restraint::Elastic(Elastic {
-        stiffness: 10.0,
-        damping: 1.0,
+        spring: Spring {
+            stiffness: 10.0,
+            damping: 1.0,
+            ..Spring::default()
+        },
         inertia: 0.0,
-        loss_factor: 0.0,
     });
     let found = operating(&checked(&model), 20.0, 9);
     let torsion = model.beam.material.shear_modulus * model.beam.section.torsion_constant;
@@ -691,22 +693,20 @@ fn dampers_are_named_and_take_what_a_single_mass_gives_them() {
     subsystem.y_left = model::Spring {
         stiffness: 30.0,
         damping: 1.5,
-        loss_factor: 0.0,
+        ..model::Spring::default()
     };
     subsystem.y_right = model::Spring {
         stiffness: 10.0,
         damping: 0.5,
-        loss_factor: 0.0,
+        ..model::Spring::default()
     };
     subsystem.z_left = model::Spring {
         stiffness: 10.0,
-        damping: 0.0,
-        loss_factor: 0.0,
+        ..model::Spring::default()
     };
     subsystem.z_right = model::Spring {
         stiffness: 10.0,
-        damping: 0.0,
-        loss_factor: 0.0,
+        ..model::Spring::default()
     };
     model.forces = vec![Force {
         amplitude: 3.0,

@@ -576,10 +576,10 @@ fn hundred_absorbers_follow_the_rule_and_keep_the_energy_down() {
             absorber.name
         );
         for spring in [
-            absorber.y_left,
-            absorber.y_right,
-            absorber.z_left,
-            absorber.z_right,
+            absorber.y_left.clone(),
+            absorber.y_right.clone(),
+            absorber.z_left.clone(),
+            absorber.z_right.clone(),
         ] {
             assert!(
                 near(spring.stiffness, absorber.mass * omega * omega / 2.0),

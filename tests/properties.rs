@@ -11,8 +11,8 @@ mod common;
 mod checked;
 
 use beamtune::model::{
-    BeamMotion, Elastic, Force, InnerSupport, Measure, Model, Place, Point, Quantity, Response,
-    Restraint, Spring, Subsystem, Support, Supports, Target,
+    BeamMotion, Elastic, Force, InnerSupport, MaxwellBranch, Measure, Model, Place, Point,
+    Quantity, Response, Restraint, Spring, Subsystem, Support, Supports, Target,
 };
 use checked::checked;
 use common::{
@@ -119,7 +119,7 @@ proptest! {
             model.supports.inner = vec![InnerSupport { name: "held".into(), position: x, support }];
             respond(&model, load(), &probes(), hertz)
         };
-        let spring = |stiffness| Restraint::Elastic(Elastic { stiffness, ..Elastic::default() });
+        let spring = |stiffness| Restraint::Elastic(Elastic { spring: Spring { stiffness, ..Spring::default() }, ..Elastic::default() });
         let near = |got: Vec<Complex64>, want: Vec<Complex64>| {
             let scale = want.iter().map(|z| z.norm()).fold(0.0, f64::max);
             got.iter().zip(&want).all(|(got, want)| (got - want).norm() <= 1e-6 * scale)
@@ -170,15 +170,20 @@ proptest! {
     /// A subsystem is equivalent to two halves of it at its position.
     #[test]
     fn a_station_split_in_two(model in models(), whole in subsystems(), hertz in frequencies()) {
-        let half = |spring: Spring| Spring { stiffness: 0.5 * spring.stiffness, damping: 0.5 * spring.damping, ..spring };
+        let half = |spring: Spring| Spring {
+            stiffness: 0.5 * spring.stiffness,
+            damping: 0.5 * spring.damping,
+            maxwell: spring.maxwell.iter().map(|of| MaxwellBranch { stiffness: 0.5 * of.stiffness, damping: 0.5 * of.damping }).collect(),
+            ..spring
+        };
         let part = |name: &str| Subsystem {
             name: name.into(),
             mass: 0.5 * whole.mass,
             inertia: 0.5 * whole.inertia,
-            y_left: half(whole.y_left),
-            y_right: half(whole.y_right),
-            z_left: half(whole.z_left),
-            z_right: half(whole.z_right),
+            y_left: half(whole.y_left.clone()),
+            y_right: half(whole.y_right.clone()),
+            z_left: half(whole.z_left.clone()),
+            z_right: half(whole.z_right.clone()),
             ..whole.clone()
         };
         let mut one = model.clone();
@@ -212,7 +217,7 @@ proptest! {
         model.supports.right.point.y = 0.0;
         for subsystem in &mut model.subsystems {
             subsystem.arm_right = subsystem.arm_left;
-            subsystem.z_right = subsystem.z_left;
+            subsystem.z_right = subsystem.z_left.clone();
         }
         let targets = [0.0, 0.9, 1.7, LENGTH].map(|x| beam(x, BeamMotion::V));
         for v in respond(&model, vec![unit_force(beam(0.9, BeamMotion::W))], &targets, hertz) {
@@ -247,20 +252,30 @@ fn condensed(subsystem: &Subsystem, omega: f64) -> nalgebra::Matrix3<Complex64> 
     let s = subsystem;
     // Elongation of each spring over (y, z, theta, w, psi, v).
     let springs = [
-        (s.y_left, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
-        (s.y_right, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
-        (s.z_left, [0.0, -1.0, s.arm_left, 0.0, -s.mount_y, 1.0]),
-        (s.z_right, [0.0, -1.0, -s.arm_right, 0.0, s.mount_y, 1.0]),
+        (s.y_left.clone(), [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
+        (s.y_right.clone(), [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
+        (
+            s.z_left.clone(),
+            [0.0, -1.0, s.arm_left, 0.0, -s.mount_y, 1.0],
+        ),
+        (
+            s.z_right.clone(),
+            [0.0, -1.0, -s.arm_right, 0.0, s.mount_y, 1.0],
+        ),
     ];
     let mut k = nalgebra::Matrix6::<Complex64>::zeros();
     for (spring, stretch) in springs {
         let stretch = nalgebra::Vector6::from(stretch).map(Complex64::from);
-        k += stretch
-            * stretch.transpose()
-            * Complex64::new(
-                spring.stiffness,
-                spring.stiffness * spring.loss_factor + omega * spring.damping,
-            );
+        let of_branch = |of: &MaxwellBranch| {
+            let damper = Complex64::new(0.0, omega * of.damping);
+            (damper.inv() + 1.0 / of.stiffness).inv()
+        };
+        let own = Complex64::new(
+            spring.stiffness,
+            spring.stiffness * spring.loss_factor + omega * spring.damping,
+        );
+        let dynamic = own + spring.maxwell.iter().map(of_branch).sum::<Complex64>();
+        k += stretch * stretch.transpose() * dynamic;
     }
     for (row, inertia) in [s.mass, s.mass, s.inertia].into_iter().enumerate() {
         k[(row, row)] -= omega * omega * inertia;
@@ -414,8 +429,7 @@ fn an_undamped_absorber_holds_its_station_still() {
     let omega = std::f64::consts::TAU * hertz;
     let spring = Spring {
         stiffness: 0.5 * 20.0 * omega * omega,
-        damping: 0.0,
-        loss_factor: 0.0,
+        ..Spring::default()
     };
     model.subsystems = vec![Subsystem {
         name: "S1".into(),
@@ -423,7 +437,7 @@ fn an_undamped_absorber_holds_its_station_still() {
         position: 2.0,
         mass: 20.0,
         inertia: 1.0,
-        y_left: spring,
+        y_left: spring.clone(),
         y_right: spring,
         z_left: Spring::default(),
         z_right: Spring::default(),
@@ -501,13 +515,16 @@ fn what_is_fixed_does_not_move() {
 fn energy_of_a_beam_that_moves_as_one() {
     let mut model = cantilever();
     let soft = Restraint::Elastic(beamtune::model::Elastic {
-        stiffness: 10.0,
+        spring: beamtune::model::Spring {
+            stiffness: 10.0,
+            ..beamtune::model::Spring::default()
+        },
         ..Default::default()
     });
     let mut end = Support::FREE;
     end[BeamMotion::W] = soft;
     model.supports = Supports {
-        left: end,
+        left: end.clone(),
         right: end,
         inner: Vec::new(),
     };

@@ -169,10 +169,12 @@ fn restraint() -> impl Strategy<Value = Restraint> {
         [not_negative(), not_negative(), not_negative()].prop_map(
             |[stiffness, damping, inertia]| {
                 Restraint::Elastic(Elastic {
-                    stiffness,
-                    damping,
+                    spring: Spring {
+                        stiffness,
+                        damping,
+                        ..Spring::default()
+                    },
                     inertia,
-                    loss_factor: 0.0,
                 })
             }
         ),
@@ -198,10 +200,14 @@ fn support() -> impl Strategy<Value = Support> {
 }
 
 fn spring() -> impl Strategy<Value = Spring> {
-    (not_negative(), not_negative()).prop_map(|(stiffness, damping)| Spring {
+    let branch = (not_negative(), not_negative())
+        .prop_map(|(stiffness, damping)| MaxwellBranch { stiffness, damping });
+    let maxwell = prop_oneof![2 => Just(Vec::new()), 1 => prop::collection::vec(branch, 1..3)];
+    (not_negative(), not_negative(), maxwell).prop_map(|(stiffness, damping, maxwell)| Spring {
         stiffness,
         damping,
-        loss_factor: 0.0,
+        maxwell,
+        ..Spring::default()
     })
 }
 
@@ -216,7 +222,7 @@ fn joints(length: f64) -> impl Strategy<Value = Vec<Joint>> {
         position: place * length,
         links,
     });
-    let is_cut = |joint: &Joint| joint.links != [Link::Rigid; 6];
+    let is_cut = |joint: &Joint| joint.links.iter().any(|link| *link != Link::Rigid);
     prop::collection::vec(one.prop_filter("is rigid", is_cut), 0..3).prop_map(|mut joints| {
         joints.dedup_by(|one, other| one.position == other.position);
         joints
@@ -226,7 +232,7 @@ fn joints(length: f64) -> impl Strategy<Value = Vec<Joint>> {
 fn subsystems(length: f64) -> impl Strategy<Value = Vec<Subsystem>> {
     names(0..4).prop_flat_map(move |names| {
         let one = move |name: String| {
-            let springs = [spring(), spring(), spring(), spring()];
+            let springs = prop::array::uniform4(spring());
             let numbers = [any_number(), any_number(), any_number(), any_number()];
             (
                 any::<bool>(),
@@ -237,16 +243,17 @@ fn subsystems(length: f64) -> impl Strategy<Value = Vec<Subsystem>> {
                 numbers,
             )
                 .prop_map(move |(enabled, place, mass, inertia, springs, numbers)| {
+                    let [y_left, y_right, z_left, z_right] = springs;
                     Subsystem {
                         name: name.clone(),
                         enabled,
                         position: (place * length).min(length),
                         mass,
                         inertia,
-                        y_left: springs[0],
-                        y_right: springs[1],
-                        z_left: springs[2],
-                        z_right: springs[3],
+                        y_left,
+                        y_right,
+                        z_left,
+                        z_right,
                         arm_left: numbers[0],
                         arm_right: numbers[1],
                         mount_y: numbers[2],
@@ -384,6 +391,11 @@ fn model() -> impl Strategy<Value = Model> {
     );
     start.prop_flat_map(|(title, notes, all, left, right, from, points, log)| {
         let (beam, spans) = all;
+        let supports = Supports {
+            left,
+            right,
+            inner: Vec::new(),
+        };
         let length = beam.length + spans.iter().map(|span| span.length).sum::<f64>();
         let spacing = if log { Spacing::Log } else { Spacing::Linear };
         let sweep = Sweep {
@@ -401,6 +413,7 @@ fn model() -> impl Strategy<Value = Model> {
                     .map(|one| one.name.clone())
                     .collect::<Vec<_>>();
                 let (title, notes, spans) = (title.clone(), notes.clone(), spans.clone());
+                let supports = supports.clone();
                 let parts = (
                     forces(length, enabled.clone()).boxed(),
                     responses(length, enabled).boxed(),
@@ -411,16 +424,13 @@ fn model() -> impl Strategy<Value = Model> {
                     .prop_flat_map(move |(forces, responses, studies, joints)| {
                         let subsystems = subsystems.clone();
                         let (title, notes, spans) = (title.clone(), notes.clone(), spans.clone());
+                        let supports = supports.clone();
                         tuning::tune(&responses).prop_map(move |tune| Model {
                             title: title.clone(),
                             notes: notes.clone(),
                             beam,
                             spans: spans.clone(),
-                            supports: Supports {
-                                left,
-                                right,
-                                inner: Vec::new(),
-                            },
+                            supports: supports.clone(),
                             joints: joints.clone(),
                             subsystems: subsystems.clone(),
                             forces: forces.clone(),
@@ -480,7 +490,7 @@ proptest! {
         edited.beam.material = new.beam.material;
         edited.sweep = new.sweep;
         for (subsystem, other) in edited.subsystems.iter_mut().zip(&new.subsystems) {
-            (subsystem.mass, subsystem.y_left) = (other.mass, other.y_left);
+            (subsystem.mass, subsystem.y_left) = (other.mass, other.y_left.clone());
         }
         for (force, other) in edited.forces.iter_mut().zip(&new.forces) {
             force.amplitude = other.amplitude;
@@ -580,7 +590,7 @@ fn a_number_changes_alone() {
         model.beam.length = 3.25;
         model.beam.material.shear_modulus = 7.9e10;
         model.beam.material.loss_factor = 0.01;
-        model.supports.left[BeamMotion::V] = Restraint::Elastic(Elastic { stiffness: 4e7, damping: 900.0, inertia: 2.0, loss_factor: 0.0, });
+        model.supports.left[BeamMotion::V] = Restraint::Elastic(Elastic { spring: Spring { stiffness: 4e7, damping: 900.0, ..Spring::default() }, inertia: 2.0 });
         model.subsystems[0].z_left.damping = 5.0;
         model.subsystems[1].y_left.damping = 7.0;
         model.subsystems[1].z_right.stiffness = -0.0;
@@ -982,7 +992,7 @@ fn other_styles_of_tables_are_kept() {
         model.beam.material.loss_factor = 0.5;
         model.beam.section.area = 0.02;
         model.supports.left[BeamMotion::W] = Restraint::Fixed;
-        model.supports.left[BeamMotion::Psi] = Restraint::Elastic(Elastic { stiffness: 5.0, ..Elastic::default() });
+        model.supports.left[BeamMotion::Psi] = Restraint::Elastic(Elastic { spring: Spring { stiffness: 5.0, ..Spring::default() }, ..Elastic::default() });
         model.supports.right = Support::CLAMPED;
         model.subsystems[0].y_left.stiffness = 9.0;
         let copy = Subsystem { name: "B".to_owned(), ..model.subsystems[0].clone() };

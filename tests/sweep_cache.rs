@@ -62,11 +62,14 @@ fn crowded(count: usize) -> Model {
         let mut support = Support::FREE;
         support[BeamMotion::W] = Restraint::Fixed;
         support[BeamMotion::V] = Restraint::Elastic(Elastic {
-            stiffness: 1e7,
-            loss_factor: 0.1,
+            spring: Spring {
+                stiffness: 1e7,
+                loss_factor: 0.1,
+                ..Spring::default()
+            },
             ..Elastic::default()
         });
-        support[BeamMotion::VSlope] = support[BeamMotion::V];
+        support[BeamMotion::VSlope] = support[BeamMotion::V].clone();
         support.point = Point { y: 0.05, z: -0.1 };
         model.supports.inner.push(InnerSupport {
             name: name.to_owned(),
@@ -298,6 +301,7 @@ fn edits_next_to_joints_are_solved_as_afresh() {
                 stiffness: 3e7,
                 damping: 400.0,
                 loss_factor: 0.05,
+                ..Spring::default()
             });
             model.joints.push(joint);
         }

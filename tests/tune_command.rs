@@ -79,12 +79,12 @@ fn the_tuned_file_keeps_the_comments_and_says_what_it_achieved() {
     assert_eq!((code, errors.as_str()), (0, ""), "{table}");
 
     let (before, after) = (model::read(cantilever()).unwrap().into_inner(), read(&file));
-    let spring = after.subsystems[0].y_left;
+    let spring = after.subsystems[0].y_left.clone();
     assert!((2e4..=1e6).contains(&spring.stiffness), "{spring:?}");
     assert!((10.0..=2000.0).contains(&spring.damping), "{spring:?}");
     // Nothing else has changed.
     let mut same = after.clone();
-    same.subsystems[0].y_left = before.subsystems[0].y_left;
+    same.subsystems[0].y_left = before.subsystems[0].y_left.clone();
     same.notes.clone_from(&before.notes);
     assert_eq!(same, before);
 

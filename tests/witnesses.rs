@@ -131,10 +131,12 @@ fn loaded_everywhere() -> Model {
 fn elastic() -> Support {
     let of = |stiffness, damping, inertia| {
         Restraint::Elastic(Elastic {
-            stiffness,
-            damping,
+            spring: Spring {
+                stiffness,
+                damping,
+                ..Spring::default()
+            },
             inertia,
-            loss_factor: 0.0,
         })
     };
     Support::on_axis([
@@ -171,7 +173,7 @@ fn elements_agree_whatever_holds_the_ends() {
     for left in supports {
         for right in [Support::FREE, elastic()] {
             let mut model = loaded_everywhere();
-            (model.supports.left, model.supports.right) = (left, right);
+            (model.supports.left, model.supports.right) = (left.clone(), right.clone());
             model.beam.material.loss_factor = 0.02;
             let name = format!("{} {}", left.kind(), right.kind());
             hold(&name, &model, 120, &HERTZ, 1e-3);
@@ -244,7 +246,7 @@ fn elements_agree_without_warping_stiffness() {
     for left in [Support::FREE, Support::PINNED, Support::CLAMPED, elastic()] {
         for centroid_offset in [0.0, -0.05] {
             let mut model = loaded_everywhere();
-            (model.supports.left, model.supports.right) = (left, elastic());
+            (model.supports.left, model.supports.right) = (left.clone(), elastic());
             model.beam.material.loss_factor = 0.02;
             model.beam.section.warping_constant = 0.0;
             model.beam.section.centroid_offset = centroid_offset;

@@ -12,9 +12,10 @@ use super::id::SupportId;
 use super::part::Part;
 use super::schema::{
     BEAM, FEWEST_POINTS, FOUNDATION, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SPAN, SUBSYSTEM,
-    SUPPORT, SWEEP, elastic,
+    SUPPORT, SWEEP, branch, elastic,
 };
 use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
+use super::spring::{Spring, SubsystemSpring};
 use super::toml_literal::format_number;
 use super::types::{Model, Restraint, Subsystem, Support, Sweep};
 use std::cell::LazyCell;
@@ -245,7 +246,16 @@ fn support(path: &str, support: &Support, faults: &mut Vec<Fault>) {
         if let Restraint::Elastic(restraint) = &support[motion] {
             let path = format!("{path}.{}", motion.key());
             numbers(&path, restraint, elastic(motion), faults);
+            branches(&path, &restraint.spring, motion, faults);
         }
+    }
+}
+
+/// The numbers of the Maxwell branches of a spring.
+fn branches(path: &str, spring: &Spring, motion: BeamMotion, faults: &mut Vec<Fault>) {
+    for (index, of) in spring.maxwell.iter().enumerate() {
+        let path = format!("{path}.maxwell.{}", index + 1);
+        numbers(&path, of, branch(motion), faults);
     }
 }
 
@@ -306,6 +316,9 @@ fn subsystem(path: &str, one: &Subsystem, model: &Model, faults: &mut Vec<Fault>
         ));
     }
     numbers(path, one, &SUBSYSTEM, faults);
+    for (key, spring) in SubsystemSpring::WORDS.iter().zip(one.springs()) {
+        branches(&format!("{path}.{key}"), spring, BeamMotion::W, faults);
+    }
     let path = format_args!("{path}.position");
     beyond_the_end(path, one.position, model, faults);
 }
@@ -389,8 +402,11 @@ mod tests {
         model.beam.material.density = f64::NAN;
         model.sweep.to = f64::INFINITY;
         model.supports.left[BeamMotion::PsiSlope] =
-            Restraint::Elastic(super::super::types::Elastic {
-                damping: f64::NEG_INFINITY,
+            Restraint::Elastic(super::super::spring::Elastic {
+                spring: Spring {
+                    damping: f64::NEG_INFINITY,
+                    ..Spring::default()
+                },
                 ..Default::default()
             });
         assert_eq!(

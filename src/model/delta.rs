@@ -119,7 +119,8 @@ fn apply(model: &mut Model, spans: [Span; SPANS], part: Model) -> bool {
 mod tests {
     use super::super::beam::BeamMotion;
     use super::super::path::sample;
-    use super::super::types::{Elastic, Link, Restraint, Spring, Support};
+    use super::super::spring::{Elastic, Spring};
+    use super::super::types::{Link, Restraint, Support};
     use super::*;
     use crate::presets;
 

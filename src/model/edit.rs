@@ -80,6 +80,11 @@ pub fn remove(model: &mut Model, element: Group) {
             model.joints.remove(i);
         }
         Group::Subsystem(i) => drop(model.subsystems.remove(i)),
+        Group::Branch(spring, i) => {
+            if let Some(spring) = spring.spring_mut(model) {
+                spring.maxwell.remove(i);
+            }
+        }
         Group::Force(i) => drop(model.forces.remove(i)),
         Group::Response(i) => drop(model.responses.remove(i)),
         Group::Study(i) => drop(model.studies.remove(i)),
@@ -91,11 +96,19 @@ pub fn remove(model: &mut Model, element: Group) {
 pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
     // Elements after the removed one move up by one.
     let same_list = |group: Group| discriminant(&group.owner()) == discriminant(&removed);
-    let moved = |id: ParameterId| match (id.group.place(), removed.place()) {
-        (Some(own), Some(there)) if same_list(id.group) => match own.cmp(&there) {
+    let moved = |id: ParameterId| match (id.group, removed) {
+        (Group::Branch(spring, own), Group::Branch(other, there)) if spring == other => {
+            let up = || Group::Branch(spring, own - 1).parameter(id.row);
+            match own.cmp(&there) {
+                Ordering::Less => Some(id),
+                Ordering::Equal => None,
+                Ordering::Greater => Some(up()),
+            }
+        }
+        (group, _) if same_list(group) => match group.place().cmp(&removed.place()) {
             Ordering::Less => Some(id),
             Ordering::Equal => None,
-            Ordering::Greater => Some(id.at(own - 1)),
+            Ordering::Greater => Some(id.at(group.place()? - 1)),
         },
         _ => Some(id),
     };

@@ -3,6 +3,7 @@
 use super::beam::BeamMotion;
 use super::part::{BeamNumber, Part};
 use super::schema::{self, Key, Kind};
+use super::spring::SpringId;
 use super::types::{Link, Model, Quantity, Restraint, Support, Target};
 
 /// A support of the beam.
@@ -142,6 +143,8 @@ pub enum Group {
     Subsystems,
     /// One subsystem.
     Subsystem(usize),
+    /// One Maxwell branch of a spring.
+    Branch(SpringId, usize),
     /// All forces.
     Forces,
     /// One force.
@@ -182,6 +185,7 @@ impl Group {
             Self::Joint(_) => schema::JOINT.keys,
             Self::Link(_, motion) => schema::link(motion).keys,
             Self::Subsystem(_) => schema::SUBSYSTEM.keys,
+            Self::Branch(spring, _) => schema::branch(spring.like()).keys,
             Self::Force(_) => schema::FORCE.keys,
             Self::Response(_) => schema::RESPONSE.keys,
             Self::Sweep => schema::SWEEP.keys,
@@ -212,6 +216,7 @@ impl Group {
             Self::Joint(_) => Self::Joints,
             Self::Link(joint, _) => Self::Joint(joint),
             Self::Subsystem(_) => Self::Subsystems,
+            Self::Branch(spring, _) => spring.group(),
             Self::Force(_) => Self::Forces,
             Self::Response(_) => Self::Responses,
             Self::Study(_) => Self::Studies,
@@ -260,7 +265,10 @@ impl Group {
             Self::Joint(joint) => BeamMotion::ALL
                 .map(|motion| Self::Link(joint, motion))
                 .to_vec(),
+            Self::Motion(support, motion) => SpringId::Support(support, motion).groups(model),
+            Self::Link(joint, motion) => SpringId::Joint(joint, motion).groups(model),
             Self::Subsystems => each(model.subsystems.len(), Self::Subsystem),
+            Self::Subsystem(_) => self.branches(model),
             Self::Forces => each(model.forces.len(), Self::Force),
             Self::Responses => each(model.responses.len(), Self::Response),
             Self::Studies => each(model.studies.len(), Self::Study),
@@ -303,13 +311,21 @@ impl Group {
             Self::Material(part) | Self::Section(part) | Self::Foundation(part) => part.group(),
             Self::Motion(support, _) => Self::Support(support),
             Self::Link(joint, _) => Self::Joint(joint),
+            Self::Branch(spring, _) => spring.owner(),
             other => other,
         }
+    }
+
+    /// The Maxwell branches of all springs of a support, joint or subsystem, in the order of the file.
+    pub(super) fn branches(self, model: &Model) -> Vec<Self> {
+        let springs = SpringId::of(self).into_iter();
+        springs.flat_map(|spring| spring.groups(model)).collect()
     }
 
     /// Its index among the supports or in its list.
     pub const fn place(self) -> Option<usize> {
         match self {
+            Self::Branch(spring, _) => spring.owner().place(),
             Self::Support(support) | Self::Motion(support, _) => Some(support.place()),
             Self::Span(i)
             | Self::Material(Part::Span(i))
@@ -340,6 +356,7 @@ impl Group {
             Self::Joint(_) => Self::Joint(place),
             Self::Link(_, motion) => Self::Link(place, motion),
             Self::Subsystem(_) => Self::Subsystem(place),
+            Self::Branch(spring, index) => Self::Branch(spring.at(spring.owner().at(place)), index),
             Self::Force(_) => Self::Force(place),
             Self::Response(_) => Self::Response(place),
             Self::Study(_) => Self::Study(place),
@@ -356,6 +373,7 @@ impl Group {
         match self {
             Self::Support(_) => Self::Support(support),
             Self::Motion(_, motion) => Self::Motion(support, motion),
+            Self::Branch(spring, index) => Self::Branch(spring.at(Self::Support(support)), index),
             other => other,
         }
     }
@@ -375,7 +393,8 @@ impl Group {
         self.parameters().find(|id| id.key().kind == kind)
     }
 
-    /// The parameters of a beam, span, support or element and all groups inside, in the order of the file.
+    /// The parameters of a beam, span, support or element and all groups inside but the Maxwell branches, in the order of the
+    /// file.
     pub(super) fn owned(self) -> Vec<ParameterId> {
         let with_tables = |part: Part| {
             let groups = std::iter::once(self).chain(part.tables());
@@ -433,6 +452,7 @@ impl ParameterId {
             | Group::Link(..)
             | Group::Subsystems
             | Group::Subsystem(_)
+            | Group::Branch(..)
             | Group::Forces
             | Group::Force(_)
             | Group::Responses
@@ -506,7 +526,11 @@ impl ParameterId {
                 }
                 list => list.groups(model),
             };
-            all.extend(owners.into_iter().flat_map(Group::owned));
+            for owner in owners {
+                all.extend(owner.owned());
+                let branches = owner.branches(model).into_iter();
+                all.extend(branches.flat_map(Group::parameters));
+            }
         }
         all.retain(|id| id.exists(model));
         all
@@ -526,6 +550,7 @@ impl ParameterId {
                 support.support(model)[motion] != Restraint::Fixed
             }
             (Group::Link(joint, motion), _) => model.joints[joint][motion] != Link::Rigid,
+            (Group::Branch(spring, index), _) => index < spring.branches(model).len(),
             (Group::Response(index), Kind::Place | Kind::Direction) => {
                 model.responses[index].quantity != Quantity::Energy
             }

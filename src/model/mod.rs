@@ -4,7 +4,7 @@
 //! a [`Model`] or returns all of its faults; [`write()`] merges a model into its text; [`check()`] finds out whether a
 //! model is physically possible; [`schema`] describes the keys, a [`ParameterId`] identifies one of them, [`path`]
 //! finds it by name and [`edit`] changes it. The plain data are in `types`, those of the beam, its section and its spans in
-//! `beam`; `part` says which numbers belong to the beam and which to one of its spans.
+//! `beam`, those of all springs in `spring`; `part` says which numbers belong to the beam and which to one of its spans.
 //!
 //! # Example
 //!
@@ -34,6 +34,7 @@ pub mod path;
 pub(crate) mod read;
 pub mod schema;
 pub(crate) mod spelling;
+mod spring;
 mod toml_literal;
 mod tuning;
 mod types;
@@ -53,6 +54,7 @@ pub use moves::Moves;
 pub(crate) use part::BeamNumber;
 pub use part::Part;
 pub use read::read;
+pub use spring::*;
 pub(crate) use toml_literal::basic_string;
 pub use toml_literal::format_number;
 pub use tuning::*;

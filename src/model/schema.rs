@@ -243,6 +243,9 @@ macro_rules! key {
     (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
         Key { is_spring: true, ..key!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+) }
     };
+    (required_spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $place:ident) => {
+        Key { is_spring: true, ..key!(number $key, $symbol, $unit, NonNegative, $meaning, $place) }
+    };
     (optional_number $key:literal, $symbol:literal, $unit:ident, $range:ident, $meaning:literal, $place:ident) => {
         key!(number $key, $symbol, $unit, $range, $meaning, $place)
     };
@@ -273,6 +276,9 @@ macro_rules! access {
     };
     (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
         access!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+)
+    };
+    (required_spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $place:ident) => {
+        access!(number $key, $symbol, $unit, NonNegative, $meaning, $place)
     };
     (optional_number $key:literal, $symbol:literal, $unit:ident, $range:ident, $meaning:literal, $place:ident) => {
         Access::OptionalNumber(|of| of.$place, |of, value| of.$place = value)
@@ -321,7 +327,8 @@ macro_rules! access {
 ///
 /// - `number(key, symbol, unit, range [or default], meaning, place in the struct)`
 /// - `optional_number(key, symbol, unit, range, meaning, place)`: without a default of its own
-/// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 by default
+/// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 by default;
+///   `required_spring`: without a default
 /// - `word(key, type of the words, meaning, place)`
 /// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of
 ///   an enum

@@ -5,6 +5,7 @@
 
 use super::beam::{Beam, BeamMotion, Point, Span, UniformPart};
 use super::path::Pattern;
+use super::spring::{Elastic, NONE, Spring};
 use super::tuning::Tune;
 use crate::unit::{Dimension, Kind, Load, Measure, Moves};
 use crate::words::words;
@@ -114,7 +115,7 @@ pub struct InnerSupport {
 }
 
 /// The restraints of the six motions of the beam at one position.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Support {
     /// In the order of [`BeamMotion::ALL`].
     pub restraints: [Restraint; 6],
@@ -124,7 +125,7 @@ pub struct Support {
 
 impl Support {
     /// All six free.
-    pub const FREE: Self = Self::on_axis([Restraint::Free; 6]);
+    pub const FREE: Self = Self::on_axis([const { Restraint::Free }; 6]);
     /// Displacements and twist fixed, slopes free.
     pub const PINNED: Self = Self::on_axis([
         Restraint::Fixed,
@@ -135,7 +136,7 @@ impl Support {
         Restraint::Free,
     ]);
     /// All six fixed.
-    pub const CLAMPED: Self = Self::on_axis([Restraint::Fixed; 6]);
+    pub const CLAMPED: Self = Self::on_axis([const { Restraint::Fixed }; 6]);
 
     /// Restraints that act on the axis of the beam, in the order of [`BeamMotion::ALL`].
     pub const fn on_axis(restraints: [Restraint; 6]) -> Self {
@@ -165,7 +166,7 @@ impl Support {
     /// The support of a word.
     pub fn of_word(word: &str) -> Option<Self> {
         let known = Self::WORDS.iter().position(|known| *known == word)?;
-        Some(Self::KINDS[known])
+        Some(Self::KINDS[known].clone())
     }
 }
 
@@ -183,7 +184,7 @@ impl std::ops::IndexMut<BeamMotion> for Support {
 }
 
 /// The restraint of one motion.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum Restraint {
     /// No restraint.
     #[default]
@@ -196,10 +197,19 @@ pub enum Restraint {
 
 impl Restraint {
     /// The spring, damper and inertia; none if it is free or fixed.
-    pub fn elastic(self) -> Elastic {
+    pub fn elastic(&self) -> &Elastic {
         match self {
             Self::Elastic(elastic) => elastic,
-            Self::Free | Self::Fixed => Elastic::default(),
+            Self::Free | Self::Fixed => &NONE,
+        }
+    }
+
+    /// Whether it resists its motion: a spring, damper or inertia of 0 does not.
+    pub fn acts(&self) -> bool {
+        match self {
+            Self::Free => false,
+            Self::Fixed => true,
+            Self::Elastic(elastic) => elastic.spring.acts() || elastic.inertia != 0.0,
         }
     }
 
@@ -213,7 +223,7 @@ impl Restraint {
     }
 
     /// Its word.
-    pub const fn kind(self) -> &'static str {
+    pub const fn kind(&self) -> &'static str {
         match self {
             Self::Free => Self::WORDS[0],
             Self::Fixed => Self::WORDS[1],
@@ -222,21 +232,8 @@ impl Restraint {
     }
 }
 
-/// Spring, damper and inertia along one motion: stiffness k (1 + i eta) + i omega c - omega^2 m.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Elastic {
-    /// N/m; N m/rad about an axis; N m3/rad on the rate of twist.
-    pub stiffness: f64,
-    /// N s/m; N m s/rad; N m3 s/rad.
-    pub damping: f64,
-    /// Loss factor eta of the stiffness.
-    pub loss_factor: f64,
-    /// Mass in kg along w and v; inertia in kg m2 about an axis; kg m4 on the rate of twist.
-    pub inertia: f64,
-}
-
 /// A place between the ends where the beam is cut and joined again: a hinge, a sliding joint, a coupling.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Joint {
     /// Distance from the left end, m.
     pub position: f64,
@@ -259,23 +256,23 @@ impl std::ops::IndexMut<BeamMotion> for Joint {
 }
 
 /// What joins a motion of both sides of a joint.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum Link {
     /// Both sides move together.
     #[default]
     Rigid,
     /// Each side moves on its own.
     Free,
-    /// A spring and a damper between both sides: N/m and N s/m; N m/rad about an axis; N m3/rad on the rate of twist.
+    /// A spring and a damper between both sides.
     Elastic(Spring),
 }
 
 impl Link {
     /// The spring and damper; none if it is rigid or free.
-    pub fn spring(self) -> Spring {
+    pub fn spring(&self) -> &Spring {
         match self {
             Self::Elastic(spring) => spring,
-            Self::Rigid | Self::Free => Spring::default(),
+            Self::Rigid | Self::Free => &NONE.spring,
         }
     }
 
@@ -289,24 +286,13 @@ impl Link {
     }
 
     /// Its word.
-    pub const fn kind(self) -> &'static str {
+    pub const fn kind(&self) -> &'static str {
         match self {
             Self::Rigid => Self::WORDS[0],
             Self::Free => Self::WORDS[1],
             Self::Elastic(_) => Self::WORDS[2],
         }
     }
-}
-
-/// A spring and a damper in parallel, `k (1 + i eta) + i omega c`; all 0 if there is none.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Spring {
-    /// k, N/m.
-    pub stiffness: f64,
-    /// c, N s/m.
-    pub damping: f64,
-    /// Loss factor eta of the stiffness.
-    pub loss_factor: f64,
 }
 
 /// A mass with three degrees of freedom (y, z, theta) on four springs with dampers.
@@ -346,12 +332,11 @@ impl Subsystem {
 
     /// Whether the number of a key matters: without a spring or damper that uses it, it is optional and 0 by default.
     pub fn needs(&self, key: &str) -> bool {
-        let acts = |spring: &Spring| spring.stiffness != 0.0 || spring.damping != 0.0;
         match key {
-            "arm_left" => acts(&self.z_left),
-            "arm_right" => acts(&self.z_right),
-            "inertia" | "mount_y" => acts(&self.z_left) || acts(&self.z_right),
-            "mount_z" => acts(&self.y_left) || acts(&self.y_right),
+            "arm_left" => self.z_left.acts(),
+            "arm_right" => self.z_right.acts(),
+            "inertia" | "mount_y" => self.z_left.acts() || self.z_right.acts(),
+            "mount_z" => self.y_left.acts() || self.y_right.acts(),
             _ => true,
         }
     }

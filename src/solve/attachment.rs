@@ -64,12 +64,22 @@ impl Attachment {
         0.5 * (self.arm_right + self.arm_left)
     }
 
+    /// Its springs, those as one that stretch alike.
+    pub(super) fn distinct_springs(&self) -> Vec<Spring> {
+        let (across, left, right) = (&self.spring_y, &self.z_left, &self.z_right);
+        let mut all = vec![across.clone()];
+        if self.half_sum_of_arms() == 0.0 && self.mount_y == 0.0 {
+            all.push(left.in_parallel(right));
+        } else {
+            all.extend([left.clone(), right.clone()]);
+        }
+        all
+    }
+
     /// Whether theta has neither inertia nor a spring or damper.
     pub(super) fn is_never_turned(&self) -> bool {
-        let turns = |spring: Spring, arm: f64| {
-            arm != 0.0 && (spring.stiffness != 0.0 || spring.damping != 0.0)
-        };
-        let is_turned = turns(self.z_left, self.arm_left) || turns(self.z_right, self.arm_right);
+        let turns = |spring: &Spring, arm: f64| arm != 0.0 && spring.acts();
+        let is_turned = turns(&self.z_left, self.arm_left) || turns(&self.z_right, self.arm_right);
         self.inertia == 0.0 && !is_turned
     }
 }

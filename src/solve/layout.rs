@@ -7,8 +7,8 @@
 use num_complex::Complex64;
 
 use crate::model::{
-    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Spring,
-    Subsystem, Support, Target, UniformPart,
+    BeamMotion, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Spring, Subsystem,
+    Support, Target, UniformPart,
 };
 
 /// The positions along a beam and what is attached there.
@@ -79,9 +79,9 @@ impl<'a> Layout<'a> {
         };
         layout.loads = vec![[Complex64::ZERO; 6]; layout.positions.len()];
         let last = layout.positions.len() - 1;
-        let ends = [(0, model.supports.left), (last, model.supports.right)];
+        let ends = [(0, &model.supports.left), (last, &model.supports.right)];
         let inner = model.supports.inner.iter();
-        let inner = inner.map(|inner| (layout.place(inner.position), inner.support));
+        let inner = inner.map(|inner| (layout.place(inner.position), &inner.support));
         let supports = ends.into_iter().chain(inner);
         layout.supports = supports
             .map(|(place, support)| (place, layout.holding(place, support)))
@@ -173,15 +173,10 @@ impl<'a> Layout<'a> {
 
     /// A support at a position. Without warping stiffness any spring or inertia fixes the rate of twist: over a length
     /// that vanishes with the warping constant, without energy.
-    fn holding(&self, place: usize, mut support: Support) -> Support {
+    fn holding(&self, place: usize, support: &Support) -> Support {
+        let mut support = support.clone();
         let rate = &mut support[BeamMotion::PsiSlope];
-        let Elastic {
-            stiffness,
-            damping,
-            inertia,
-            ..
-        } = rate.elastic();
-        if !self.warps(place) && [stiffness, damping, inertia] != [0.0; 3] {
+        if !self.warps(place) && rate.acts() {
             *rate = Restraint::Fixed;
         }
         support

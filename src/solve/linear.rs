@@ -41,6 +41,14 @@ impl Magnified {
         self.direction *= z / norm;
     }
 
+    /// The product.
+    pub(super) fn by(&self, other: &Self) -> Self {
+        Self {
+            log: self.log + other.log,
+            direction: self.direction * other.direction,
+        }
+    }
+
     /// The quotient.
     pub(super) fn over(&self, other: &Self) -> Self {
         Self {

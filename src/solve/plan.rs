@@ -7,11 +7,11 @@ use num_complex::Complex64;
 use super::attachment::Attachment;
 use super::beam_state::BeamState;
 use super::linear::ZERO;
-use super::springs::{restraint_stiffness, stiffness};
+use super::springs::restraint_stiffness;
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Spring, Support,
-    SupportId, Target, UniformPart,
+    BeamMotion, MassMotion, Measure, Model, Place, Quantity, Restraint, Spring, Support, SupportId,
+    Target, UniformPart,
 };
 
 /// The part of a model that does not depend on the frequency.
@@ -54,13 +54,10 @@ pub(super) struct Held {
 
 impl Held {
     /// Without warping stiffness any restraint fixes the rate of twist.
-    fn new(mut support: Support, without_warping: bool) -> Self {
+    fn new(support: &Support, without_warping: bool) -> Self {
+        let mut support = support.clone();
         let twist = &mut support[BeamMotion::PsiSlope];
-        let free = Elastic::default();
-        if without_warping
-            && !matches!(*twist, Restraint::Free)
-            && *twist != Restraint::Elastic(free)
-        {
+        if without_warping && twist.acts() {
             *twist = Restraint::Fixed;
         }
         Self {
@@ -107,7 +104,7 @@ impl Held {
             if motion == BeamMotion::PsiSlope && self.without_warping {
                 return ZERO;
             }
-            match restraint_stiffness(omega, self.support[motion]) {
+            match restraint_stiffness(omega, &self.support[motion]) {
                 None => before[row] - after[row] - loads[row],
                 // A free motion may be infinite.
                 Some(k) if k == ZERO => ZERO,
@@ -130,8 +127,8 @@ pub(super) struct Joined {
 
 impl Joined {
     /// That of a motion: see [`Joint::springs`].
-    pub(super) fn spring(&self, motion: BeamMotion) -> Option<Spring> {
-        self.springs[motion as usize]
+    pub(super) fn spring(&self, motion: BeamMotion) -> Option<&Spring> {
+        self.springs[motion as usize].as_ref()
     }
 
     /// The jumps of the motions over it, right minus left: 0 where it is rigid. From the states on both sides, or from the
@@ -147,7 +144,7 @@ impl Joined {
             };
             let row = motion as usize;
             let (from, to) = (before.motion[row], after.motion[row]);
-            let (k, force) = (stiffness(omega, spring), after.force[row]);
+            let (k, force) = (spring.dynamic_stiffness(omega), after.force[row]);
             if force.norm() < k.norm() * (from.norm() + to.norm()) {
                 force / k
             } else {
@@ -409,8 +406,8 @@ impl<'a> Layout<'a> {
         let [left, right] = ends.map(|part| !part.warps());
         Self {
             model,
-            left: Held::new(model.supports.left, left),
-            right: Held::new(model.supports.right, right),
+            left: Held::new(&model.supports.left, left),
+            right: Held::new(&model.supports.right, right),
             beams,
             beam_of_part,
             parts,
@@ -486,7 +483,7 @@ impl<'a> Layout<'a> {
             let without_warping = !UniformPart::at(&self.parts, inner.position).warps();
             Station {
                 position: inner.position,
-                event: Event::Support(Box::new(Held::new(inner.support, without_warping))),
+                event: Event::Support(Box::new(Held::new(&inner.support, without_warping))),
             }
         });
         let supports: Vec<Station> = supports.collect();

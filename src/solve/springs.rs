@@ -7,18 +7,9 @@ use num_complex::Complex64;
 
 use super::linear::ZERO;
 use crate::model::{
-    BeamMotion, Elastic, Joint, Link, Point, Restraint, Spring, Subsystem, UniformPart,
+    BeamMotion, Elastic, Joint, Link, MaxwellBranch, Point, Restraint, Spring, Subsystem,
+    UniformPart,
 };
-
-/// The four springs: y left, y right, z left, z right.
-pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
-    [
-        subsystem.y_left,
-        subsystem.y_right,
-        subsystem.z_left,
-        subsystem.z_right,
-    ]
-}
 
 impl Point {
     /// The motions of the point, from those of the axis.
@@ -65,23 +56,22 @@ impl Joint {
     ///
     /// Without warping stiffness on both sides no bimoment is transmitted, and a link of the rate of twist has no effect.
     pub(super) fn springs(&self, without_warping: bool) -> [Option<Spring>; 6] {
-        BeamMotion::ALL.map(|motion| match self[motion] {
+        BeamMotion::ALL.map(|motion| match &self[motion] {
             _ if motion == BeamMotion::PsiSlope && without_warping => None,
             Link::Rigid => None,
-            Link::Free => Some(Spring::default()),
-            Link::Elastic(spring) => Some(spring),
+            joined @ (Link::Free | Link::Elastic(_)) => Some(joined.spring().clone()),
         })
     }
 }
 
 impl Spring {
     /// k (1 + i eta), N/m.
-    pub(super) fn complex_stiffness(self) -> Complex64 {
+    pub(super) fn complex_stiffness(&self) -> Complex64 {
         Complex64::new(self.stiffness, self.stiffness * self.loss_factor)
     }
 
     /// Two springs in parallel as one.
-    pub(crate) fn in_parallel(self, other: Self) -> Self {
+    pub(crate) fn in_parallel(&self, other: &Self) -> Self {
         let both = self.complex_stiffness() + other.complex_stiffness();
         Self {
             stiffness: both.re,
@@ -91,39 +81,73 @@ impl Spring {
             } else {
                 both.im / both.re
             },
+            maxwell: [&self.maxwell[..], &other.maxwell].concat(),
         }
+    }
+
+    /// Its Maxwell branches that transmit a force.
+    fn acting_branches(&self) -> impl Iterator<Item = &MaxwellBranch> {
+        self.maxwell.iter().filter(|branch| branch.acts())
+    }
+
+    /// The same, with those of one relaxation time, `c_b / k_b`, as one.
+    pub(super) fn relaxations(&self) -> Vec<MaxwellBranch> {
+        /// Relative: closer ones are one but for rounding.
+        const EQUAL: f64 = 1e-12;
+        let mut all: Vec<MaxwellBranch> = Vec::new();
+        for branch in self.acting_branches() {
+            let is_equal = |other: &&mut MaxwellBranch| {
+                let [one, other] = [
+                    branch.damping * other.stiffness,
+                    other.damping * branch.stiffness,
+                ];
+                (one - other).abs() <= EQUAL * one
+            };
+            match all.iter_mut().find(is_equal) {
+                Some(other) => {
+                    other.stiffness += branch.stiffness;
+                    other.damping += branch.damping;
+                }
+                None => all.push(*branch),
+            }
+        }
+        all
+    }
+
+    /// Its dynamic stiffness, N/m.
+    pub(super) fn dynamic_stiffness(&self, omega: Complex64) -> Complex64 {
+        let rate = Complex64::I * omega;
+        let branches = self.acting_branches().map(|of| {
+            let damping = rate * of.damping;
+            of.stiffness * damping / (of.stiffness + damping)
+        });
+        self.complex_stiffness() + rate * self.damping + branches.sum::<Complex64>()
+    }
+
+    /// The difference of its dynamic stiffness at two angular frequencies, over that of `i omega`, N s/m: the derivative if
+    /// they are equal, and the damping if it has no Maxwell branches.
+    pub(super) fn damping_between(&self, omegas: [Complex64; 2]) -> Complex64 {
+        let branches = self.acting_branches().map(|of| {
+            let share = |omega| of.stiffness / (of.stiffness + Complex64::I * omega * of.damping);
+            of.damping * share(omegas[0]) * share(omegas[1])
+        });
+        self.damping + branches.sum::<Complex64>()
     }
 }
 
-impl From<Elastic> for Spring {
-    /// Its spring and damper, in the units of the motion.
-    fn from(elastic: Elastic) -> Self {
-        Self {
-            stiffness: elastic.stiffness,
-            damping: elastic.damping,
-            loss_factor: elastic.loss_factor,
-        }
-    }
-}
-
-/// k (1 + i eta) + i omega c, N/m.
-pub(super) fn stiffness(omega: Complex64, spring: Spring) -> Complex64 {
-    spring.complex_stiffness() + Complex64::I * omega * spring.damping
-}
-
-/// k (1 + i eta) + i omega c - omega^2 m of the restraint of a motion, in the units of [`Elastic`]; `None` if the motion is fixed.
-pub(super) fn restraint_stiffness(omega: Complex64, restraint: Restraint) -> Option<Complex64> {
+/// The dynamic stiffness of the restraint of a motion, in the units of [`Spring`]; `None` if the motion is fixed.
+pub(super) fn restraint_stiffness(omega: Complex64, restraint: &Restraint) -> Option<Complex64> {
     match restraint {
         Restraint::Fixed => None,
         Restraint::Free => Some(ZERO),
-        Restraint::Elastic(elastic) => {
-            Some(stiffness(omega, elastic.into()) - omega * omega * elastic.inertia)
+        Restraint::Elastic(Elastic { spring, inertia }) => {
+            Some(spring.dynamic_stiffness(omega) - omega * omega * inertia)
         }
     }
 }
 
 /// A spring, and its stretch as a row over the motions: the displacement of the mass's end relative to the beam's.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Stretch {
     pub(super) spring: Spring,
     /// Of y, z and theta of the mass; m, m and m/rad.
@@ -134,19 +158,19 @@ pub(super) struct Stretch {
 
 /// The two y springs, whose stretches are equal, as one; the left and the right z spring (Chen & Liu 2022, Appendix A).
 pub(super) fn rows(subsystem: &Subsystem) -> [Stretch; 3] {
-    let along_z = |spring: Spring, arm: f64, mount: f64| Stretch {
-        spring,
+    let along_z = |spring: &Spring, arm: f64, mount: f64| Stretch {
+        spring: spring.clone(),
         mass: [0.0, 1.0, arm],
         beam: [0.0, -mount, -1.0],
     };
     [
         Stretch {
-            spring: subsystem.y_left.in_parallel(subsystem.y_right),
+            spring: subsystem.y_left.in_parallel(&subsystem.y_right),
             mass: [1.0, 0.0, 0.0],
             beam: [-1.0, -subsystem.mount_z, 0.0],
         },
-        along_z(subsystem.z_left, -subsystem.arm_left, -subsystem.mount_y),
-        along_z(subsystem.z_right, subsystem.arm_right, subsystem.mount_y),
+        along_z(&subsystem.z_left, -subsystem.arm_left, -subsystem.mount_y),
+        along_z(&subsystem.z_right, subsystem.arm_right, subsystem.mount_y),
     ]
 }
 
@@ -183,8 +207,9 @@ pub(super) fn stretches(
     channels: [Complex64; 3],
 ) -> [Complex64; 4] {
     let [across, left, right] = rows(subsystem).map(|row| row.terms(moved));
-    let [of_left, of_right, of_z_left, of_z_right] =
-        springs(subsystem).map(|spring| stiffness(omega, spring));
+    let [of_left, of_right, of_z_left, of_z_right] = subsystem
+        .springs()
+        .map(|spring| spring.dynamic_stiffness(omega));
     // The forces of the beam on the mass: the y springs, and the sum and the difference of the z springs.
     let [force, sum, difference] = channels;
     let y = better(&across, &[-force], of_left + of_right);

@@ -3,7 +3,7 @@
 //! end to the right (Godunov 1961; Conte, SIAM Rev. 8 (1966) 309-321).
 
 use beamtune::model::{
-    Beam, BeamMotion, Joint, Link, Model, Point, Restraint, Spring, Subsystem, Support,
+    Beam, BeamMotion, Joint, Link, Model, Point, Restraint, Spring, SpringId, Subsystem, Support,
 };
 use num_complex::Complex64;
 
@@ -150,6 +150,13 @@ impl<'a> Determinant<'a> {
                 basis.separate();
             }
         }
+        // A Maxwell branch gives it a pole.
+        let springs = SpringId::all(self.model).filter_map(|id| id.spring(self.model));
+        for branch in springs.flat_map(|of| &of.maxwell).filter(|of| of.acts()) {
+            let damper = omega.turned() * Double2::from(branch.damping);
+            product[0] = product[0] * (damper + Double2::from(branch.stiffness).into());
+            basis.exponent += normalise(&mut product);
+        }
         let (value, exponent) = determinant(self.right_end(omega, &basis.states));
         let value = (value * product[0]).rounded();
         Scaled {
@@ -202,8 +209,7 @@ impl<'a> Determinant<'a> {
             let Link::Elastic(spring) = link else {
                 continue;
             };
-            let stiffness = complex(spring.stiffness, spring.loss_factor)
-                + omega.turned() * Double2::from(spring.damping);
+            let stiffness = dynamic(spring, omega);
             let softness = (stiffness * self.reference).inverse();
             for state in &mut basis.states {
                 let force = state[6 + motion];
@@ -456,28 +462,13 @@ fn coupled(field: usize) -> &'static [usize] {
 /// The stiffness of a mass on its springs against (w, psi, v), the mass eliminated, and the determinant of the mass.
 fn blocked(subsystem: &Subsystem, omega: Complex2) -> (Block, Complex2) {
     let square = omega * omega;
-    let of = |a: Spring, b: Spring| {
-        let sum = |a: f64, b: f64| Double2::from(a) + Double2::from(b);
-        complex(a.stiffness, a.loss_factor)
-            + complex(b.stiffness, b.loss_factor)
-            + omega.turned() * sum(a.damping, b.damping)
-    };
-    let none = Spring::default();
+    let [y_left, y_right, z_left, z_right] = subsystem.springs().map(|of| dynamic(of, omega));
     let (y_u, z_b) = (subsystem.mount_y, subsystem.mount_z);
     // Over (y, z, theta | w, psi, v).
     let springs = [
-        (
-            of(subsystem.y_left, subsystem.y_right),
-            [1.0, 0.0, 0.0, -1.0, -z_b, 0.0],
-        ),
-        (
-            of(subsystem.z_left, none),
-            [0.0, 1.0, -subsystem.arm_left, 0.0, y_u, -1.0],
-        ),
-        (
-            of(subsystem.z_right, none),
-            [0.0, 1.0, subsystem.arm_right, 0.0, -y_u, -1.0],
-        ),
+        (y_left + y_right, [1.0, 0.0, 0.0, -1.0, -z_b, 0.0]),
+        (z_left, [0.0, 1.0, -subsystem.arm_left, 0.0, y_u, -1.0]),
+        (z_right, [0.0, 1.0, subsystem.arm_right, 0.0, -y_u, -1.0]),
     ];
     let mut full = [[Complex2::ZERO; 6]; 6];
     for (stiffness, stretch) in springs {
@@ -522,22 +513,30 @@ fn moved(support: &Support, motion: usize, state: &State) -> Complex2 {
     state[motion] + state[BeamMotion::Psi as usize] * arm(support, motion)
 }
 
-/// k (1 + i eta).
-fn complex(stiffness: f64, loss_factor: f64) -> Complex2 {
-    let stiffness = Double2::from(stiffness);
-    Complex2::new(stiffness, stiffness * Double2::from(loss_factor))
+/// k (1 + i eta) + i omega c, and the series of spring and damper of each Maxwell branch.
+fn dynamic(spring: &Spring, omega: Complex2) -> Complex2 {
+    let stiffness = Double2::from(spring.stiffness);
+    let mut sum = Complex2::new(stiffness, stiffness * Double2::from(spring.loss_factor))
+        + omega.turned() * Double2::from(spring.damping);
+    for branch in spring.maxwell.iter().filter(|of| of.acts()) {
+        let (k, c) = (
+            Double2::from(branch.stiffness),
+            Double2::from(branch.damping),
+        );
+        let damper = omega.turned() * c;
+        sum += damper * k * (damper + Complex2::from(k)).inverse();
+    }
+    sum
 }
 
 /// The stiffness of a support against a motion; none where it is fixed.
 fn stiffness(support: &Support, motion: usize, omega: Complex2) -> Option<Complex2> {
-    match support[BeamMotion::ALL[motion]] {
+    match &support[BeamMotion::ALL[motion]] {
         Restraint::Fixed => None,
         Restraint::Free => Some(Complex2::ZERO),
-        Restraint::Elastic(elastic) => Some(
-            complex(elastic.stiffness, elastic.loss_factor)
-                + omega.turned() * Double2::from(elastic.damping)
-                - omega * omega * Double2::from(elastic.inertia),
-        ),
+        Restraint::Elastic(elastic) => {
+            Some(dynamic(&elastic.spring, omega) - omega * omega * Double2::from(elastic.inertia))
+        }
     }
 }
 

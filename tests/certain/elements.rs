@@ -45,13 +45,14 @@ impl Matrices {
         for (support, first) in supports.into_iter().zip([0, 6 * (nodes.len() - 1)]) {
             for motion in BeamMotion::ALL {
                 let at = first + motion as usize;
-                match support[motion] {
+                match &support[motion] {
                     Restraint::Free => {}
                     Restraint::Fixed => held.push(at),
                     Restraint::Elastic(elastic) => {
-                        all.springs[(at, at)] += elastic.stiffness;
-                        all.losses[(at, at)] += elastic.stiffness * elastic.loss_factor;
-                        all.dampers[(at, at)] += elastic.damping;
+                        all.springs[(at, at)] += elastic.spring.stiffness;
+                        all.losses[(at, at)] +=
+                            elastic.spring.stiffness * elastic.spring.loss_factor;
+                        all.dampers[(at, at)] += elastic.spring.damping;
                         all.mass[(at, at)] += elastic.inertia;
                     }
                 }
@@ -108,19 +109,19 @@ impl Matrices {
         for inner in &model.supports.inner {
             let first = 6 * nodes.iter().position(|x| *x == inner.position).unwrap();
             for motion in BeamMotion::ALL {
-                let mut elastic = inner.support[motion].elastic();
+                let mut elastic = inner.support[motion].elastic().clone();
                 if inner.support[motion] == Restraint::Fixed {
-                    elastic.stiffness = 1e12;
+                    elastic.spring.stiffness = 1e12;
                 }
                 let arm = inner.support.point.arm(motion).unwrap_or_default();
                 let moved = [(first + motion as usize, 1.0), (first + 1, arm)];
                 for (row, by_row) in moved {
                     for (column, by_column) in moved {
                         let product = by_row * by_column;
-                        self.springs[(row, column)] += elastic.stiffness * product;
+                        self.springs[(row, column)] += elastic.spring.stiffness * product;
                         self.losses[(row, column)] +=
-                            elastic.stiffness * elastic.loss_factor * product;
-                        self.dampers[(row, column)] += elastic.damping * product;
+                            elastic.spring.stiffness * elastic.spring.loss_factor * product;
+                        self.dampers[(row, column)] += elastic.spring.damping * product;
                         self.mass[(row, column)] += elastic.inertia * product;
                     }
                 }
@@ -135,10 +136,16 @@ impl Matrices {
             let at = [own, own + 1, own + 2, 6 * node, 6 * node + 1, 6 * node + 2];
             let y = [1.0, 0.0, 0.0, -1.0, -s.mount_z, 0.0];
             for (spring, stretch) in [
-                (s.y_left, y),
-                (s.y_right, y),
-                (s.z_left, [0.0, 1.0, -s.arm_left, 0.0, s.mount_y, -1.0]),
-                (s.z_right, [0.0, 1.0, s.arm_right, 0.0, -s.mount_y, -1.0]),
+                (s.y_left.clone(), y),
+                (s.y_right.clone(), y),
+                (
+                    s.z_left.clone(),
+                    [0.0, 1.0, -s.arm_left, 0.0, s.mount_y, -1.0],
+                ),
+                (
+                    s.z_right.clone(),
+                    [0.0, 1.0, s.arm_right, 0.0, -s.mount_y, -1.0],
+                ),
             ] {
                 for i in 0..6 {
                     for j in 0..6 {

@@ -36,12 +36,12 @@ fn with_masses(count: usize, places: fn(usize) -> f64, damping: f64, step: f64) 
     let spring = Spring {
         stiffness: 1e5,
         damping,
-        loss_factor: 0.0,
+        ..Spring::default()
     };
     let one = Subsystem {
-        y_left: spring,
-        y_right: spring,
-        z_left: spring,
+        y_left: spring.clone(),
+        y_right: spring.clone(),
+        z_left: spring.clone(),
         z_right: spring,
         ..model.subsystems[0].clone()
     };
@@ -66,7 +66,7 @@ fn root(mass: f64, damping: f64, stiffness: f64) -> Complex64 {
 fn turning(model: &Model) -> Vec<Complex64> {
     let of = |one: &Subsystem| {
         let square = 2.0 * one.arm_left.powi(2);
-        let spring = one.z_left;
+        let spring = one.z_left.clone();
         root(
             one.inertia,
             square * spring.damping,
@@ -130,8 +130,8 @@ fn free_beam(step: f64, loss_factor: f64) -> Case {
     ];
     let mut model = load("three_alike_undamped");
     model.subsystems.clear();
-    let free = Support::on_axis([beamtune::model::Restraint::Free; 6]);
-    model.supports.left = free;
+    let free = Support::FREE;
+    model.supports.left = free.clone();
     model.supports.right = free;
     model.beam.material.loss_factor = loss_factor;
     let section = &mut model.beam.section;
@@ -202,7 +202,12 @@ fn products(model: &Model, a: &Shape, b: &Shape) -> [Complex64; 2] {
             let right = z + one.arm_right * theta - v - one.mount_y * psi;
             [y, y, left, right]
         };
-        let springs = [one.y_left, one.y_right, one.z_left, one.z_right];
+        let springs = [
+            one.y_left.clone(),
+            one.y_right.clone(),
+            one.z_left.clone(),
+            one.z_right.clone(),
+        ];
         for ((spring, p), q) in springs.iter().zip(stretched(a)).zip(stretched(b)) {
             damping += spring.damping * p * q;
         }

@@ -53,14 +53,20 @@ pub fn is_hysteretic(model: &Model) -> bool {
     let inner = model.supports.inner.iter().map(|inner| &inner.support);
     let ends = [&model.supports.left, &model.supports.right];
     let supports = ends.into_iter().chain(inner);
-    let restraints = supports.flat_map(|support| support.restraints);
-    let springs =
-        (model.subsystems.iter()).flat_map(|s| [s.y_left, s.y_right, s.z_left, s.z_right]);
-    let links = model.joints.iter().flat_map(|joint| joint.links);
+    let restraints = supports.flat_map(|support| support.restraints.clone());
+    let springs = (model.subsystems.iter()).flat_map(|s| {
+        [
+            s.y_left.clone(),
+            s.y_right.clone(),
+            s.z_left.clone(),
+            s.z_right.clone(),
+        ]
+    });
+    let links = model.joints.iter().flat_map(|joint| joint.links.clone());
     let spans = model.spans.iter().filter_map(|span| span.material);
     let mut losses = std::iter::once(model.beam.material.loss_factor)
         .chain(spans.map(|material| material.loss_factor))
-        .chain(restraints.map(|of| of.elastic().loss_factor))
+        .chain(restraints.map(|of| of.elastic().spring.loss_factor))
         .chain(springs.map(|of| of.loss_factor))
         .chain(links.map(|link| link.spring().loss_factor));
     losses.any(|loss| loss != 0.0)

@@ -1,8 +1,8 @@
 //! Random models: 0 to 20 subsystems, half of the models with some equal ones.
 
 use beamtune::model::{
-    Beam, Elastic, InnerSupport, Joint, Link, Material, Model, Point, Restraint, Section, Spacing,
-    Span, Spring, Subsystem, Support, Supports, Sweep,
+    Beam, Elastic, InnerSupport, Joint, Link, Material, MaxwellBranch, Model, Point, Restraint,
+    Section, Spacing, Span, Spring, SpringId, Subsystem, Support, Supports, Sweep,
 };
 
 use super::frequency_of::frequency_of;
@@ -94,7 +94,27 @@ pub fn model(seed: u64) -> (Model, f64) {
         divide(&mut model, &mut dice);
     }
     let to = frequency_of(&model, wanted) * beyond;
+    if dice.next() < 0.3 {
+        relax(&mut model, &mut dice);
+    }
     (model, to)
+}
+
+/// Adds Maxwell branches to some springs, as stiff as these and with their losses within the range of a machine.
+fn relax(model: &mut Model, dice: &mut Dice) {
+    let places: Vec<SpringId> = SpringId::all(model).collect();
+    for place in places {
+        let Some(spring) = place.spring_mut(model) else {
+            continue;
+        };
+        while dice.next() < 0.3 {
+            let stiffness = spring.stiffness.max(1e4) * dice.power(0.03, 3.0);
+            spring.maxwell.push(MaxwellBranch {
+                stiffness,
+                damping: stiffness / dice.power(10.0, 3e3),
+            });
+        }
+    }
 }
 
 /// Adds bearings and springs to the ground between the ends, at points of the section, and loss factors.
@@ -107,14 +127,17 @@ fn hold_anywhere(model: &mut Model, dice: &mut Dice) {
                 _ => {}
             }
             Restraint::Elastic(Elastic {
-                stiffness: dice.power(1e4, 1e8),
-                damping: dice.pick(&[0.0, 10.0, 300.0]),
-                loss_factor: dice.pick(&[0.0, 0.02, 0.2]),
+                spring: Spring {
+                    stiffness: dice.power(1e4, 1e8),
+                    damping: dice.pick(&[0.0, 10.0, 300.0]),
+                    loss_factor: dice.pick(&[0.0, 0.02, 0.2]),
+                    ..Spring::default()
+                },
                 inertia: dice.pick(&[0.0, 2.0]),
             })
         };
         let mut restraints = std::array::from_fn(|_| elastic(dice));
-        if restraints == [Restraint::Free; 6] {
+        if restraints.iter().all(|of| *of == Restraint::Free) {
             restraints[0] = Restraint::Fixed;
         }
         model.supports.inner.push(InnerSupport {
@@ -201,11 +224,12 @@ fn cut(model: &mut Model, dice: &mut Dice) {
             stiffness: dice.power(1e4, 1e8),
             damping: dice.pick(&[0.0, 10.0, 300.0]),
             loss_factor: dice.pick(&[0.0, 0.02, 0.2]),
+            ..Spring::default()
         }),
     };
     let position = dice.between(0.05, 0.95) * model.beam.length;
     let mut links = std::array::from_fn(|_| link(dice));
-    if links == [Link::Rigid; 6] {
+    if links.iter().all(|link| *link == Link::Rigid) {
         links[3] = Link::Free;
     }
     model.joints.push(Joint {
@@ -250,7 +274,7 @@ fn subsystem(dice: &mut Dice, beam: &Beam) -> Subsystem {
         Spring {
             stiffness,
             damping: 2.0 * ratio * (0.5 * mass * stiffness).sqrt(),
-            loss_factor: 0.0,
+            ..Spring::default()
         }
     };
     let [y_left, y_right, z_left, z_right] = [spring(), spring(), spring(), spring()];
@@ -280,10 +304,12 @@ fn support(dice: &mut Dice) -> Support {
             share if share < 0.3 => Restraint::Free,
             share if share < 0.5 => Restraint::Fixed,
             _ => Restraint::Elastic(Elastic {
-                stiffness: dice.power(1e4, 1e8),
-                damping: dice.pick(&[0.0, 10.0, 300.0]),
+                spring: Spring {
+                    stiffness: dice.power(1e4, 1e8),
+                    damping: dice.pick(&[0.0, 10.0, 300.0]),
+                    ..Spring::default()
+                },
                 inertia: dice.pick(&[0.0, 0.5]),
-                loss_factor: 0.0,
             }),
         })),
     }

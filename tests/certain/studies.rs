@@ -77,7 +77,7 @@ fn damped(model: &Model, factor: f64) -> Model {
     for support in [&mut model.supports.left, &mut model.supports.right] {
         for restraint in &mut support.restraints {
             if let Restraint::Elastic(elastic) = restraint {
-                elastic.damping *= factor;
+                elastic.spring.damping *= factor;
             }
         }
     }

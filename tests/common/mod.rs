@@ -2,8 +2,8 @@
 
 use beamtune::model::{
     Beam, BeamMotion, Bedding, Elastic, Force, Foundation, InnerSupport, Joint, Link, MassMotion,
-    Material, Measure, Model, Place, Point, Quantity, Response, Restraint, Section, Spacing,
-    Spring, Subsystem, Support, Supports, Sweep, Target, Theory,
+    Material, MaxwellBranch, Measure, Model, Place, Point, Quantity, Response, Restraint, Section,
+    Spacing, Spring, Subsystem, Support, Supports, Sweep, Target, Theory,
 };
 use num_complex::Complex64;
 use proptest::prelude::*;
@@ -98,13 +98,16 @@ fn any_beams() -> impl Strategy<Value = Beam> {
 /// Free, fixed or elastic, with some loss factors.
 fn restraints(loss_factors: BoxedStrategy<f64>) -> impl Strategy<Value = Restraint> {
     let inertia = prop_oneof![Just(0.0), 0.0..5.0];
-    let elastic = (1e4..1e8, 0.0..1e3, loss_factors, inertia).prop_map(
-        |(stiffness, damping, loss_factor, inertia)| {
+    let elastic = (1e4..1e8, 0.0..1e3, loss_factors, branches(), inertia).prop_map(
+        |(stiffness, damping, loss_factor, maxwell, inertia)| {
             Restraint::Elastic(Elastic {
-                stiffness,
-                damping,
+                spring: Spring {
+                    stiffness,
+                    damping,
+                    loss_factor,
+                    maxwell,
+                },
                 inertia,
-                loss_factor,
             })
         },
     );
@@ -148,14 +151,16 @@ fn inner_supports() -> impl Strategy<Value = Vec<InnerSupport>> {
 
 /// Up to two joints with one or two motions that are not rigid.
 fn joints() -> impl Strategy<Value = Vec<Joint>> {
-    let elastic =
-        (1e4..1e8, 0.0..1e3, loss_factors()).prop_map(|(stiffness, damping, loss_factor)| {
+    let elastic = (1e4..1e8, 0.0..1e3, loss_factors(), branches()).prop_map(
+        |(stiffness, damping, loss_factor, maxwell)| {
             Link::Elastic(Spring {
                 stiffness,
                 damping,
                 loss_factor,
+                maxwell,
             })
-        });
+        },
+    );
     let link = prop_oneof![1 => Just(Link::Free), 3 => elastic];
     let motion = || prop::sample::select(BeamMotion::ALL.to_vec());
     let one = |place: Range<f64>| {
@@ -181,9 +186,16 @@ fn joints() -> impl Strategy<Value = Vec<Joint>> {
 fn springs(loss_factors: BoxedStrategy<f64>) -> impl Strategy<Value = Spring> {
     prop_oneof![
         1 => Just(Spring::default()),
-        5 => (1e5..3e7, 1.0..200.0, loss_factors)
-            .prop_map(|(stiffness, damping, loss_factor)| Spring { stiffness, damping, loss_factor }),
+        5 => (1e5..3e7, 1.0..200.0, loss_factors, branches())
+            .prop_map(|(stiffness, damping, loss_factor, maxwell)| Spring { stiffness, damping, loss_factor, maxwell }),
     ]
+}
+
+/// Maxwell branches, for a quarter of the springs.
+fn branches() -> impl Strategy<Value = Vec<MaxwellBranch>> {
+    let branch =
+        (1e4..1e7, 10.0..1e5).prop_map(|(stiffness, damping)| MaxwellBranch { stiffness, damping });
+    prop_oneof![3 => Just(Vec::new()), 1 => prop::collection::vec(branch, 1..3)]
 }
 
 /// A subsystem anywhere on the beam, ends included.

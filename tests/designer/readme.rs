@@ -170,6 +170,12 @@ fn the_keys_of_the_model_file_are_those_of_the_schema() {
         ("supports.left.w", schema::ELASTIC_TRANSLATION.keys),
         ("supports.left.psi", schema::ELASTIC_ROTATION.keys),
         ("supports.left.psi_slope", schema::ELASTIC_WARPING.keys),
+        ("supports.left.w.maxwell", schema::BRANCH_TRANSLATION.keys),
+        ("supports.left.psi.maxwell", schema::BRANCH_ROTATION.keys),
+        (
+            "supports.left.psi_slope.maxwell",
+            schema::BRANCH_WARPING.keys,
+        ),
         ("joints", schema::JOINT.keys),
         ("joints.w", schema::LINK_TRANSLATION.keys),
         ("joints.psi", schema::LINK_ROTATION.keys),

@@ -470,7 +470,7 @@ fn undamped(name: &str) -> Driver {
     for end in [&mut model.supports.left, &mut model.supports.right] {
         for restraint in &mut end.restraints {
             if let Restraint::Elastic(elastic) = restraint {
-                elastic.damping = 0.0;
+                elastic.spring.damping = 0.0;
             }
         }
     }

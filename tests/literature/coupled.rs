@@ -44,8 +44,8 @@ impl Products {
 /// are sin(n pi x / L), and omega^2 is a root of a quadratic. A guided end (slopes fixed) has a cosine in the same way.
 /// All natural frequencies above zero, Hz, up to `to`, not sorted.
 pub fn sinusoidal(model: &Model, to: f64) -> Vec<f64> {
-    let guided = |support: &Support| match support.restraints {
-        displacements_and_slopes if displacements_and_slopes == Support::PINNED.restraints => 0,
+    let guided = |support: &Support| match &support.restraints {
+        displacements_and_slopes if *displacements_and_slopes == Support::PINNED.restraints => 0,
         [
             Restraint::Free,
             Restraint::Free,
@@ -207,11 +207,11 @@ fn end_rows(
         rows.push((BeamMotion::PsiSlope, psi * slope, bimoment));
     }
     rows.into_iter()
-        .map(|(motion, displacement, force)| match support[motion] {
+        .map(|(motion, displacement, force)| match &support[motion] {
             Restraint::Fixed => displacement,
             Restraint::Free => force,
             Restraint::Elastic(spring) => {
-                let dynamic = spring.stiffness - omega.powi(2) * spring.inertia;
+                let dynamic = spring.spring.stiffness - omega.powi(2) * spring.inertia;
                 side * force + dynamic * displacement
             }
         })

@@ -46,7 +46,7 @@ fn receptance(model: &Model, position: f64, omega: f64) -> (f64, f64) {
         );
     }
     assert_eq!(
-        (model.supports.left, model.supports.right),
+        (model.supports.left.clone(), model.supports.right.clone()),
         (Support::PINNED, Support::PINNED)
     );
     let evanescent = a.sinh() * b.sinh() / x.sinh();

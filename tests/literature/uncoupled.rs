@@ -21,7 +21,7 @@ enum End {
 }
 
 fn end(support: &Support, displacement: BeamMotion, slope: BeamMotion) -> End {
-    match (support[displacement], support[slope]) {
+    match (support[displacement].clone(), support[slope].clone()) {
         (Restraint::Fixed, Restraint::Fixed) => End::Clamped,
         (Restraint::Fixed, Restraint::Free) => End::Pinned,
         (Restraint::Free, Restraint::Fixed) => End::Guided,
@@ -41,7 +41,7 @@ fn ends(model: &Model, displacement: BeamMotion, slope: BeamMotion) -> (End, End
 pub fn frequencies(model: &Model, to: f64) -> Vec<f64> {
     let section = &model.beam.section;
     assert_eq!(section.centroid_offset, 0.0, "the motions are coupled");
-    let mut all = if let Restraint::Elastic(tip) = model.supports.right[BeamMotion::W] {
+    let mut all = if let Restraint::Elastic(tip) = &model.supports.right[BeamMotion::W] {
         bending_with_tip(model, tip, to)
     } else {
         let pair = ends(model, BeamMotion::W, BeamMotion::WSlope);
@@ -82,12 +82,12 @@ fn bending(model: &Model, second_moment: f64, ends: (End, End), to: f64) -> Vec<
 
 /// A cantilever with a spring and a mass at its right end: the tip's receptance (Bishop & Johnson, The Mechanics of
 /// Vibration, 1960) against the dynamic stiffness k - omega^2 m; for a mass alone Laura, Pombo & Susemihl, 1974.
-fn bending_with_tip(model: &Model, tip: Elastic, to: f64) -> Vec<f64> {
+fn bending_with_tip(model: &Model, tip: &Elastic, to: f64) -> Vec<f64> {
     assert_eq!(model.supports.left, Support::CLAMPED);
     let stiffness = model.beam.material.young_modulus * model.beam.section.second_moment_y;
     roots(to, |hertz| {
         let x = beta_length(model, model.beam.section.second_moment_y, hertz);
-        let dynamic = tip.stiffness - (TAU * hertz).powi(2) * tip.inertia;
+        let dynamic = tip.spring.stiffness - (TAU * hertz).powi(2) * tip.inertia;
         let beam = stiffness * (x / model.beam.length).powi(3);
         x.cos() + 1.0 / x.cosh() + dynamic / beam * (x.sin() - x.cos() * x.tanh())
     })
@@ -148,11 +148,11 @@ fn saint_venant(model: &Model, torsional: f64, inertia: f64, to: f64) -> Vec<f64
         let (sin, cos) = (wave * model.beam.length).sin_cos();
         // A free left end has the cosine for its twist, a fixed one the sine.
         let (twist, slope) = if left_fixed { (sin, cos) } else { (cos, -sin) };
-        match model.supports.right[BeamMotion::Psi] {
+        match &model.supports.right[BeamMotion::Psi] {
             Restraint::Fixed => twist,
             Restraint::Free => slope,
             Restraint::Elastic(tip) => {
-                let dynamic = tip.stiffness - omega.powi(2) * tip.inertia;
+                let dynamic = tip.spring.stiffness - omega.powi(2) * tip.inertia;
                 torsional * wave * slope + dynamic * twist
             }
         }

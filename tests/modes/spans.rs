@@ -188,7 +188,7 @@ fn every_mode_of_unlike_spans_has_a_shape() {
     let spring = Spring {
         stiffness: 2e4,
         damping: 3.0,
-        loss_factor: 0.0,
+        ..Spring::default()
     };
     model.subsystems = vec![mass_on_springs(0.6, spring)];
     let section = model.beam.section;
@@ -225,17 +225,19 @@ fn every_mode_of_unlike_spans_has_a_shape() {
 fn an_axis_off_the_shear_centre_changes_no_mode() {
     let offset = Point { y: -0.04, z: 0.07 };
     let held = |restraint: Restraint, point: Point| {
-        let mut support = Support::on_axis([Restraint::Free; 6]);
+        let mut support = Support::FREE;
         for motion in [BeamMotion::W, BeamMotion::Psi, BeamMotion::V] {
-            support[motion] = restraint;
+            support[motion] = restraint.clone();
         }
         support.point = point;
         support
     };
     let elastic = Restraint::Elastic(Elastic {
-        stiffness: 3e4,
-        damping: 20.0,
-        loss_factor: 0.0,
+        spring: Spring {
+            stiffness: 3e4,
+            damping: 20.0,
+            ..Spring::default()
+        },
         inertia: 0.2,
     });
     let about = |axis: Point| {
@@ -243,7 +245,11 @@ fn an_axis_off_the_shear_centre_changes_no_mode() {
             y: y + axis.y,
             z: z + axis.z,
         };
-        let mut model = unsymmetric(1.5, Support::CLAMPED, held(elastic, point(0.02, 0.01)));
+        let mut model = unsymmetric(
+            1.5,
+            Support::CLAMPED,
+            held(elastic.clone(), point(0.02, 0.01)),
+        );
         model.beam.axial_force = 3e3;
         model.supports.inner.push(InnerSupport {
             name: "bearing".into(),
@@ -285,8 +291,8 @@ fn mirrored_halves_have_the_same_modes() {
         let mut spans = vec![span(0.6, section), span(0.9, stiff)];
         spans[0].offset = Point { y: 0.02, z: 0.03 };
         let mut mirrored = model.clone();
-        mirrored.supports.left = model.supports.right;
-        mirrored.supports.right = model.supports.left;
+        mirrored.supports.left = model.supports.right.clone();
+        mirrored.supports.right = model.supports.left.clone();
         let expected = all(&with_spans(model, spans.clone()), 500.0);
         assert!(expected.len() > 5, "{expected:?}");
         spans.reverse();

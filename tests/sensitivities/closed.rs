@@ -51,7 +51,8 @@ fn a_mass_on_springs_to_the_ground() {
         of.y_left.stiffness + of.y_right.stiffness,
         of.y_left.damping + of.y_right.damping,
     );
-    let [left, right] = [of.z_left, of.z_right].map(|s| stiffness(s.stiffness, s.damping));
+    let [left, right] =
+        [of.z_left.clone(), of.z_right.clone()].map(|s| stiffness(s.stiffness, s.damping));
     let (l, r) = (of.arm_left, of.arm_right);
     let y = 2.0 / (k_y - omega * omega * of.mass);
     let zz = left + right - omega * omega * of.mass;

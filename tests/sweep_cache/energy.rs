@@ -3,7 +3,9 @@
 //! Differences are shares of the energy at each frequency.
 
 use crate::checked::checked;
-use beamtune::model::{Elastic, Model, Quantity, Response, Restraint, Support, read};
+use beamtune::model::{
+    BeamMotion, Elastic, Model, Quantity, Response, Restraint, Spring, Support, read,
+};
 use beamtune::presets;
 use beamtune::solve::{SweepCache, sweep};
 
@@ -107,17 +109,21 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
     model.beam.section.centroid_offset *= [0.0, 1.0, -2.0][random.usize(0..3)];
     for support in [&mut model.supports.left, &mut model.supports.right] {
         let elastic = Elastic {
-            stiffness: 1e6,
-            damping: 100.0,
-            loss_factor: [0.0, 0.1][random.usize(0..2)],
+            spring: Spring {
+                stiffness: 1e6,
+                damping: 100.0,
+                loss_factor: [0.0, 0.1][random.usize(0..2)],
+                ..Spring::default()
+            },
             inertia: [0.0, 10.0][random.usize(0..2)],
         };
         *support = [
             Support::CLAMPED,
             Support::PINNED,
-            Support::on_axis([Restraint::Free; 6]),
-            Support::on_axis([Restraint::Elastic(elastic); 6]),
-        ][random.usize(0..4)];
+            Support::FREE,
+            Support::on_axis(BeamMotion::ALL.map(|_| Restraint::Elastic(elastic.clone()))),
+        ][random.usize(0..4)]
+        .clone();
     }
     for subsystem in &mut model.subsystems {
         subsystem.position = model.beam.length * random.f64();

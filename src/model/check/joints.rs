@@ -5,7 +5,7 @@ use super::super::fault::Fault;
 use super::super::schema::{JOINT, link};
 use super::super::toml_literal::format_number;
 use super::super::types::{Link, Model};
-use super::numbers;
+use super::{branches, numbers};
 
 /// The rules of the joints: each inside the beam, alone at its position and not rigid in every motion.
 ///
@@ -36,8 +36,8 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
             );
             fault(format!("{path}.position"), message);
         }
-        if joint.links == [Link::Rigid; 6] {
-            let message = "is rigid in every motion, so it joins as if there were no cut; a motion must be free or have a table of stiffness, damping and loss_factor";
+        if joint.links.iter().all(|link| *link == Link::Rigid) {
+            let message = "is rigid in every motion, so it joins as if there were no cut; a motion must be free or have a table of stiffness, damping, loss_factor and maxwell";
             fault(path.clone(), message.to_owned());
         }
         numbers(&path, joint, &JOINT, faults);
@@ -45,6 +45,7 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
             if let Link::Elastic(spring) = &joint[motion] {
                 let path = format!("{path}.{}", motion.key());
                 numbers(&path, spring, link(motion), faults);
+                branches(&path, spring, motion, faults);
             }
         }
     }

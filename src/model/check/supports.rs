@@ -47,7 +47,7 @@ pub(super) fn inner(model: &Model, faults: &mut Vec<Fault>) {
         }
         if BeamMotion::ALL
             .into_iter()
-            .all(|motion| is_nothing(inner, motion))
+            .all(|motion| !inner.support[motion].acts())
         {
             let message = "holds nothing and weighs nothing; must fix a motion or have a spring, a damper or a mass";
             faults.push(Fault::new(path.clone(), message));
@@ -64,17 +64,6 @@ pub(super) fn inner(model: &Model, faults: &mut Vec<Fault>) {
         }
         numbers(&path, inner, &INNER_SUPPORT, faults);
         support(&path, &inner.support, faults);
-    }
-}
-
-/// Whether a support leaves a motion alone.
-fn is_nothing(inner: &InnerSupport, motion: BeamMotion) -> bool {
-    match inner.support[motion] {
-        Restraint::Free => true,
-        Restraint::Fixed => false,
-        Restraint::Elastic(elastic) => {
-            [elastic.stiffness, elastic.damping, elastic.inertia] == [0.0; 3]
-        }
     }
 }
 

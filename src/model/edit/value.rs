@@ -6,8 +6,9 @@ use crate::model::beam::{Beam, BeamMotion, Point, Span};
 use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::path;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
+use crate::model::spring::{Elastic, Spring};
 use crate::model::toml_literal::format_number;
-use crate::model::types::{Elastic, Link, Model, Quantity, Restraint, Spring, Support};
+use crate::model::types::{Link, Model, Quantity, Restraint, Support};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,14 +131,18 @@ pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
         Group::Support(support) => {
             schema::SUPPORT.get(row - support.own_keys(), support.support(model))
         }
-        Group::Motion(support, motion) => match support.support(model)[motion] {
+        Group::Motion(support, motion) => match &support.support(model)[motion] {
             Restraint::Fixed => return Err(fixed(model, support, motion, id.key())),
-            held => schema::elastic(motion).get(row, &held.elastic()),
+            held => schema::elastic(motion).get(row, held.elastic()),
         },
         Group::Joint(index) => schema::JOINT.get(row, &model.joints[index]),
-        Group::Link(joint, motion) => match model.joints[joint][motion] {
+        Group::Link(joint, motion) => match &model.joints[joint][motion] {
             Link::Rigid => return Err(rigid(model, joint, motion, id.key())),
-            joined => schema::link(motion).get(row, &joined.spring()),
+            joined => schema::link(motion).get(row, joined.spring()),
+        },
+        Group::Branch(spring, index) => match spring.branches(model).get(index) {
+            None => return Err("is no Maxwell branch of this spring".to_owned()),
+            Some(branch) => schema::branch(spring.like()).get(row, branch),
         },
         Group::Subsystem(index) => schema::SUBSYSTEM.get(row, &model.subsystems[index]),
         Group::Force(index) => schema::FORCE.get(row, &model.forces[index]),
@@ -171,8 +176,8 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
             )
         }
         (Group::Joint(joint), _) => {
-            let link = id.motion().map(|motion| model.joints[joint][motion]);
-            Value::Choice(link.unwrap_or_default().kind())
+            let link = id.motion().map(|motion| &model.joints[joint][motion]);
+            Value::Choice(link.map_or(Link::WORDS[0], Link::kind))
         }
         (Group::Span(_), Kind::Table) => {
             let is_own = id.table().is_some_and(|table| table.is_there(model));
@@ -259,6 +264,12 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
             }
         }
         (Group::Link(joint, motion), _) => put_coupling(model, joint, motion, id, &value)?,
+        (Group::Branch(spring, index), _) => {
+            let list = spring.spring_mut(model).map(|spring| &mut spring.maxwell);
+            let branch = list.and_then(|list| list.get_mut(index));
+            let branch = branch.ok_or("is no Maxwell branch of this spring")?;
+            schema::branch(spring.like()).set(row, branch, value)?;
+        }
         (Group::Model, _) => schema::MODEL.set(row, model, value)?,
         (Group::Beam, _) => schema::BEAM.set(row, &mut model.beam, value)?,
         (Group::Material(part), _) => schema::MATERIAL.set(row, part.material_mut(model), value)?,
@@ -315,8 +326,8 @@ fn put_spring(
     value: &Value,
 ) -> Result<(), String> {
     let new = value.number()?;
-    let mut elastic = match support.support(model)[motion] {
-        Restraint::Elastic(elastic) => elastic,
+    let mut elastic = match &support.support(model)[motion] {
+        Restraint::Elastic(elastic) => elastic.clone(),
         // A free motion already has a stiffness, damping and inertia of 0.
         Restraint::Free if new == 0.0 => return Ok(()),
         Restraint::Free => Elastic::default(),
@@ -345,8 +356,8 @@ fn put_coupling(
     value: &Value,
 ) -> Result<(), String> {
     let new = value.number()?;
-    let mut spring = match model.joints[joint][motion] {
-        Link::Elastic(spring) => spring,
+    let mut spring = match &model.joints[joint][motion] {
+        Link::Elastic(spring) => spring.clone(),
         // A free motion already has a stiffness and damping of 0.
         Link::Free if new == 0.0 => return Ok(()),
         Link::Free => Spring::default(),
@@ -395,7 +406,8 @@ mod tests {
     use crate::model::beam::{BeamMotion, Section};
     use crate::model::edit::{Value, set, set_unchecked};
     use crate::model::path::{all, number, parameter, sample};
-    use crate::model::types::{Elastic, Model, Place, Quantity, Restraint, Support, Target};
+    use crate::model::spring::Elastic;
+    use crate::model::types::{Model, Place, Quantity, Restraint, Support, Target};
     use crate::unit::Measure;
 
     fn choice(word: &'static str) -> Value {
@@ -469,7 +481,7 @@ mod tests {
         };
         assert_eq!(
             model.supports.right[BeamMotion::V],
-            Restraint::Elastic(expected)
+            Restraint::Elastic(expected.clone())
         );
         set(&mut model, "supports.right.v", choice("elastic")).unwrap();
         assert_eq!(

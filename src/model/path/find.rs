@@ -1,13 +1,15 @@
 //! Finds the parameters that a path matches.
 
+use std::borrow::Cow;
 use std::cell::{Cell, OnceCell};
 use std::collections::HashMap;
 
 use super::pattern::{Part, Pattern};
 use super::suggestion::{self, Mismatch};
-use super::text::parts;
+use super::text::{BRANCHES, parts};
 use crate::model::Fault;
 use crate::model::id::{Group, ParameterId, SupportId};
+use crate::model::spring::SpringId;
 use crate::model::types::Model;
 
 /// The first words of paths.
@@ -65,11 +67,18 @@ impl<'a> Finder<'a> {
     /// The parameters of a path's parts.
     pub(super) fn resolve(&self, path: &[Part]) -> Result<Vec<ParameterId>, Mismatch> {
         let (owners, depth) = self.owners(path)?;
+        let list = path.get(depth + 1);
+        if list.is_some_and(|part| *part != Part::Any && part.means(BRANCHES)) {
+            return self.branches(&owners, path, depth);
+        }
         // There is at least one owner, and all have the same keys.
         let all = owners.first().map_or_else(Vec::new, |owner| owner.owned());
         let ids = below(all, &path[depth..]).map_err(|mut mismatch| {
             if owners == [Group::Beam] && mismatch.at == 0 && !self.model.spans.is_empty() {
                 mismatch.known.push(SPANS.to_owned());
+            }
+            if mismatch.at == 1 && !SpringId::of(owners[0]).is_empty() {
+                mismatch.known.push(BRANCHES.to_owned());
             }
             mismatch.at += depth;
             mismatch
@@ -94,6 +103,30 @@ impl<'a> Finder<'a> {
             all.retain(|id| id.exists(self.model));
         }
         Ok(all)
+    }
+
+    /// The parameters of Maxwell branches that the rest of a path matches: each spring has its own number of them.
+    fn branches(
+        &self,
+        owners: &[Group],
+        path: &[Part],
+        depth: usize,
+    ) -> Result<Vec<ParameterId>, Mismatch> {
+        let groups = owners.iter().flat_map(|owner| owner.branches(self.model));
+        let all = groups.flat_map(Group::parameters);
+        let is_meant =
+            |id: &ParameterId| parts(*id).next().is_some_and(|key| path[depth].means(&key));
+        let meant: Vec<ParameterId> = all.filter(is_meant).collect();
+        if meant.is_empty() {
+            return Err(Mismatch {
+                at: depth + 1,
+                known: Vec::new(),
+            });
+        }
+        below(meant, &path[depth..]).map_err(|mut mismatch| {
+            mismatch.at += depth;
+            mismatch
+        })
     }
 
     /// The owners at the start of a path, and the number of parts that name them.
@@ -241,7 +274,7 @@ fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, M
     for at in 0..=path.len() {
         // No part may follow the last key.
         let meant = |id: &&ParameterId| match (path.get(at), parts(**id).nth(at)) {
-            (Some(part), Some(key)) => part.means(key),
+            (Some(part), Some(key)) => part.means(&key),
             (part, key) => part.is_none() && key.is_none(),
         };
         let kept: Vec<ParameterId> = ids.iter().filter(meant).copied().collect();
@@ -259,7 +292,7 @@ fn next_words(ids: &[ParameterId], depth: usize) -> Vec<String> {
     let mut words: Vec<String> = ids
         .iter()
         .filter_map(|id| parts(*id).nth(depth))
-        .map(str::to_owned)
+        .map(Cow::into_owned)
         .collect();
     words.dedup();
     words
@@ -348,6 +381,58 @@ mod tests {
         assert!(refused(&model, "beam.spans.4.length").ends_with("must be 1, 2, 3"));
         assert!(refused(&model, "beam.span.1.length").ends_with("`beam.spans.1.length`?"));
         assert!(refused(&model, "beam.spans.1.lenght").ends_with("`beam.spans.1.length`?"));
+    }
+
+    /// Of two subsystems with two Maxwell branches each.
+    #[test]
+    fn branches_go_by_number_and_each_spring_has_its_own() {
+        let mut model = sample::model(&["S1", "S2"]);
+        let count = |model: &_, pattern| expand(model, pattern).map(|found| found.len());
+        assert_eq!(
+            count(&model, "subsystems.*.y_left.maxwell.*.stiffness"),
+            Ok(4)
+        );
+        assert_eq!(count(&model, "subsystems.*.*.maxwell.2.damping"), Ok(2));
+        assert_eq!(
+            expand(&model, "subsystems.2.y_left.maxwell.1.damping").unwrap(),
+            ["subsystems.S2.y_left.maxwell.1.damping"]
+        );
+        model.subsystems[1].y_left.maxwell.pop();
+        assert_eq!(
+            count(&model, "subsystems.*.y_left.maxwell.2.damping"),
+            Ok(1)
+        );
+        let refused = |path: &str| expand(&model, path).unwrap_err().message;
+        for (path, expected) in [
+            ("subsystems.S1.y_left.maxwell.3.damping", "must be 1, 2"),
+            (
+                "subsystems.S1.y_left.maxwell.1.loss_factor",
+                "must be stiffness, damping",
+            ),
+            ("subsystems.S1.y_left.maxwell", "must continue with 1, 2"),
+            (
+                "subsystems.S1.z_left.maxwell.1.damping",
+                "no spring there has Maxwell branches",
+            ),
+            (
+                "supports.left.w.maxwell.1.damping",
+                "no spring there has Maxwell branches",
+            ),
+            (
+                "subsystems.S1.y_left.maxwel.1.damping",
+                "`subsystems.S1.y_left.maxwell.1.damping`?",
+            ),
+            (
+                "subsystems.S1.y_lft.maxwell.1.damping",
+                "no spring there has Maxwell branches",
+            ),
+        ] {
+            assert!(
+                refused(path).ends_with(expected),
+                "{path}: {}",
+                refused(path)
+            );
+        }
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! Models for tests.
 
 use crate::model::beam::{Beam, BeamMotion, Bedding, Foundation, Material, Point, Section, Span};
+use crate::model::spring::{Elastic, MaxwellBranch, Spring};
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Case, Elastic, Family, Force, InnerSupport, Joint, Link, MassMotion, Model, Operation, Place,
-    Quantity, Response, Restraint, Spacing, Spring, Study, Subsystem, Support, Supports, Sweep,
-    Target,
+    Case, Family, Force, InnerSupport, Joint, Link, MassMotion, Model, Operation, Place, Quantity,
+    Response, Restraint, Spacing, Study, Subsystem, Support, Supports, Sweep, Target,
 };
 use crate::unit::Measure;
 
@@ -145,18 +145,20 @@ fn beam() -> Beam {
 
 fn supports() -> Supports {
     let spring = Restraint::Elastic(Elastic {
-        stiffness: 4.0e7,
-        damping: 800.0,
+        spring: Spring {
+            stiffness: 4.0e7,
+            damping: 800.0,
+            ..Spring::default()
+        },
         inertia: 0.5,
-        loss_factor: 0.0,
     });
     let mut left = Support::FREE;
-    left[BeamMotion::W] = spring;
-    left[BeamMotion::Psi] = spring;
+    left[BeamMotion::W] = spring.clone();
+    left[BeamMotion::Psi] = spring.clone();
     left[BeamMotion::V] = Restraint::Fixed;
     let mut right = Support::FREE;
-    right[BeamMotion::W] = spring;
-    right[BeamMotion::PsiSlope] = spring;
+    right[BeamMotion::W] = spring.clone();
+    right[BeamMotion::PsiSlope] = spring.clone();
     let mut bearing = Support::FREE;
     bearing[BeamMotion::W] = spring;
     bearing[BeamMotion::V] = Restraint::Fixed;
@@ -183,6 +185,7 @@ fn joints() -> Vec<Joint> {
         stiffness: 3.0e5,
         damping: 12.0,
         loss_factor: 0.02,
+        ..Spring::default()
     });
     vec![hinge, coupling]
 }
@@ -191,7 +194,11 @@ fn subsystem(name: &str, position: f64) -> Subsystem {
     let spring = Spring {
         stiffness: 1.666_667e7,
         damping: 33.33,
-        loss_factor: 0.0,
+        ..Spring::default()
+    };
+    let branch = MaxwellBranch {
+        stiffness: 2.0e6,
+        damping: 300.0,
     };
     Subsystem {
         name: name.to_owned(),
@@ -199,9 +206,12 @@ fn subsystem(name: &str, position: f64) -> Subsystem {
         position,
         mass: 100.0,
         inertia: 53.33,
-        y_left: spring,
-        y_right: spring,
-        z_left: spring,
+        y_left: Spring {
+            maxwell: vec![branch, branch],
+            ..spring.clone()
+        },
+        y_right: spring.clone(),
+        z_left: spring.clone(),
         z_right: spring,
         arm_left: 0.08,
         arm_right: 0.36,

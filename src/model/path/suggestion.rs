@@ -2,6 +2,7 @@
 
 use super::find::{Finder, in_list_below};
 use super::pattern::{Part, join};
+use super::text::BRANCHES;
 use crate::model::spelling::{nearest, segment};
 
 /// The most known words that a fault lists.
@@ -17,7 +18,8 @@ pub(super) struct Mismatch {
 
 /// The message for a path that matches nothing.
 pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Mismatch) -> String {
-    let listed = listed(&mismatch.known, !is_numbered(&parts));
+    let are_names = mismatch.at == place_of_element(&parts) && !is_numbered(&parts);
+    let listed = listed(&mismatch.known, are_names);
     if mismatch.known.is_empty() && mismatch.at == place_of_element(&parts) {
         let list = match parts[0].word() {
             "beam" => "spans",
@@ -29,6 +31,9 @@ pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Misma
     let Some(wrong) = parts.get(mismatch.at).map(|part| part.word().to_owned()) else {
         return format!("is a table, not a parameter; must continue with {listed}");
     };
+    if mismatch.known.is_empty() && wrong == BRANCHES {
+        return "matches nothing; no spring there has Maxwell branches".to_owned();
+    }
     if mismatch.known.is_empty() {
         return format!("matches nothing; must end before `{wrong}`");
     }
@@ -48,7 +53,9 @@ fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch)
     for _ in 0..parts.len() {
         let element = mismatch.at == place_of_element(parts);
         // All numbers are equally near.
-        if element && is_numbered(parts) {
+        let list = mismatch.at.checked_sub(1).map(|list| parts[list].word());
+        let is_branch = list == Some(BRANCHES);
+        if element && is_numbered(parts) || is_branch {
             return None;
         }
         let word = nearest(

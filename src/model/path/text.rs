@@ -1,10 +1,14 @@
 //! The paths of parameters as text.
 
+use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::spelling::{element_key, element_keys};
 use crate::model::types::Model;
+
+/// The list of the Maxwell branches of a spring.
+pub(super) const BRANCHES: &str = "maxwell";
 
 /// The path of a parameter.
 pub fn text(model: &Model, id: ParameterId) -> String {
@@ -19,27 +23,32 @@ pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
             lists[list].get_or_init(|| names(model, of, |names| element_keys(names)));
         format!("{}.{}", list_key(of), keys[place])
     };
-    let path = |id: &ParameterId| match id.group {
+    let path = |id: &ParameterId| match id.group.owner() {
         // A single path does not need the keys of the whole list.
         _ if ids.len() == 1 => text(model, *id),
-        Group::Subsystem(i) => join(&key(0, id.group, i), *id),
-        Group::Response(i) => join(&key(1, id.group, i), *id),
-        Group::Study(i) => join(&key(2, id.group, i), *id),
-        Group::Support(SupportId::Inner(i)) | Group::Motion(SupportId::Inner(i), _) => {
-            join(&key(3, id.group.owner(), i), *id)
-        }
+        owner @ Group::Subsystem(i) => join(&key(0, owner, i), *id),
+        owner @ Group::Response(i) => join(&key(1, owner, i), *id),
+        owner @ Group::Study(i) => join(&key(2, owner, i), *id),
+        owner @ Group::Support(SupportId::Inner(i)) => join(&key(3, owner, i), *id),
         _ => text(model, *id),
     };
     ids.iter().map(path).collect()
 }
 
 /// The keys of a parameter below its owner.
-pub(super) fn parts(id: ParameterId) -> impl Iterator<Item = &'static str> {
+pub(super) fn parts(id: ParameterId) -> impl Iterator<Item = Cow<'static, str>> {
     let inner = match id.group {
-        Group::Motion(_, motion) | Group::Link(_, motion) => Some(motion.key()),
-        group => group.table_key(),
+        Group::Motion(_, motion) | Group::Link(_, motion) => [Some(motion.key()), None],
+        Group::Branch(spring, _) => [Some(spring.key()), Some(BRANCHES)],
+        group => [group.table_key(), None],
     };
-    inner.into_iter().chain(id.key().key.split('.'))
+    let number = match id.group {
+        Group::Branch(_, index) => Some((index + 1).to_string().into()),
+        _ => None,
+    };
+    let keys = id.key().key.split('.').map(Into::into);
+    let inner = inner.into_iter().flatten().map(Into::into);
+    inner.chain(number).chain(keys)
 }
 
 fn join(owner: &str, id: ParameterId) -> String {
@@ -48,7 +57,7 @@ fn join(owner: &str, id: ParameterId) -> String {
         if !path.is_empty() {
             path.push('.');
         }
-        path.push_str(part);
+        path.push_str(&part);
     }
     path
 }

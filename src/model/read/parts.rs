@@ -5,11 +5,11 @@ use super::super::id::SupportId;
 use super::super::schema::{
     self, Access, FEWEST_POINTS, FOUNDATION, JOINT, MATERIAL, Rows, SECTION, SPAN, SUBSYSTEM,
 };
+use super::super::spring::{Elastic, MaxwellBranch, Spring, SubsystemSpring};
 use super::super::types::{
-    Elastic, InnerSupport, Joint, Link, Model, Restraint, Spacing, Spring, Subsystem, Support,
-    Supports, Sweep,
+    InnerSupport, Joint, Link, Model, Restraint, Spacing, Subsystem, Support, Supports, Sweep,
 };
-use super::list::{named, names};
+use super::list::{elements, named, names};
 use super::loads;
 use super::reader::{Reader, quoted};
 use super::rows::no_own;
@@ -166,7 +166,9 @@ fn support(table: &mut Table<'_>, reader: &mut Reader) -> Support {
     let mut support = Support::FREE;
     let kind = table.has("kind");
     if let Some(index) = table.word("kind", &Support::WORDS, Some(0), reader) {
-        support.restraints = Support::KINDS[index].restraints;
+        support
+            .restraints
+            .clone_from(&Support::KINDS[index].restraints);
     }
     let motions = BeamMotion::WORDS.iter().copied();
     let conflicting: Vec<_> = motions.filter(|key| table.has(key)).collect();
@@ -204,7 +206,7 @@ fn restraint(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader
                 "inertia"
             };
             let accepted = format!(
-                "\"free\", \"fixed\" or a table of stiffness, damping, loss_factor and {inertia}"
+                "\"free\", \"fixed\" or a table of stiffness, damping, loss_factor, maxwell and {inertia}"
             );
             let message = match other {
                 DeValue::String(word) => format!("is {}; must be {accepted}", quoted(word)),
@@ -217,6 +219,7 @@ fn restraint(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader
     let mut elastic = Elastic::default();
     if let Some(mut table) = Table::open(path.to_owned(), node, reader) {
         table.rows(&mut elastic, schema::elastic(motion), reader, no_own);
+        elastic.spring.maxwell = maxwell(&mut table, motion, reader);
         table.finish(reader);
     }
     Restraint::Elastic(elastic)
@@ -237,7 +240,7 @@ fn joints(root: &mut Table<'_>, reader: &mut Reader) -> Vec<Joint> {
             table.finish(reader);
         } else {
             // An unreadable joint is not one that joins everything.
-            joint.links = [Link::Free; 6];
+            joint.links = [const { Link::Free }; 6];
         }
         joints.push(joint);
     }
@@ -245,7 +248,8 @@ fn joints(root: &mut Table<'_>, reader: &mut Reader) -> Vec<Joint> {
 }
 
 fn link(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader) -> Link {
-    const ACCEPTED: &str = "\"rigid\", \"free\" or a table of stiffness, damping and loss_factor";
+    const ACCEPTED: &str =
+        "\"rigid\", \"free\" or a table of stiffness, damping, loss_factor and maxwell";
     let word = node.get_ref().as_str().and_then(Link::of_word);
     match (word, node.get_ref()) {
         (Some(joined @ (Link::Rigid | Link::Free)), _) => return joined,
@@ -262,9 +266,25 @@ fn link(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader) -> 
     let mut spring = Spring::default();
     if let Some(mut table) = Table::open(path.to_owned(), node, reader) {
         table.rows(&mut spring, schema::link(motion), reader, no_own);
+        spring.maxwell = maxwell(&mut table, motion, reader);
         table.finish(reader);
     }
     Link::Elastic(spring)
+}
+
+/// The Maxwell branches of a spring of a motion.
+fn maxwell(spring: &mut Table<'_>, motion: BeamMotion, reader: &mut Reader) -> Vec<MaxwellBranch> {
+    let rows = schema::branch(motion);
+    let list = elements("maxwell", "tables { stiffness, damping }", spring, reader);
+    let branch = |(path, node)| {
+        let mut branch = blank(rows);
+        if let Some(mut table) = Table::open(path, node, reader) {
+            table.rows(&mut branch, rows, reader, no_own);
+            table.finish(reader);
+        }
+        branch
+    };
+    list.into_iter().map(branch).collect()
 }
 
 fn subsystems<'a>(root: &mut Table<'a>, reader: &mut Reader) -> (Vec<Subsystem>, Vec<&'a str>) {
@@ -281,7 +301,15 @@ fn subsystems<'a>(root: &mut Table<'a>, reader: &mut Reader) -> (Vec<Subsystem>,
 fn subsystem(table: Option<Table<'_>>, reader: &mut Reader) -> Subsystem {
     let mut subsystem = blank(&SUBSYSTEM);
     if let Some(mut table) = table {
-        table.rows(&mut subsystem, &SUBSYSTEM, reader, no_own);
+        let inner = table.open_rows(&mut subsystem, &SUBSYSTEM, reader, no_own);
+        for (key, mut spring) in inner {
+            let index = SubsystemSpring::WORDS.iter().position(|own| *own == key);
+            if let Some(index) = index {
+                let maxwell = maxwell(&mut spring, BeamMotion::W, reader);
+                subsystem.springs_mut()[index].maxwell = maxwell;
+            }
+            spring.finish(reader);
+        }
         // Whether these are required depends on the springs.
         for key in SUBSYSTEM.keys {
             if Subsystem::OF_SPRINGS.contains(&key.key)

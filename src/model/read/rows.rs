@@ -5,14 +5,8 @@ use super::reader::Reader;
 use super::table::Table;
 use super::value::{whole, wrong_type};
 
-/// The current inner table with its key; none if the text has none.
-type Inner<'a> = Option<(&'static str, Option<Table<'a>>)>;
-
-fn finish(inner: Inner<'_>, reader: &mut Reader) {
-    if let Some((_, Some(table))) = inner {
-        table.finish(reader);
-    }
-}
+/// The inner tables so far, each with its key; none if the text has none.
+type Inner<'a> = Vec<(&'static str, Option<Table<'a>>)>;
 
 /// For tables in which no key has its own rules.
 pub(super) fn no_own<T>(_: &mut Table<'_>, _: &mut T, _: Kind, _: &mut Reader) {}
@@ -24,9 +18,22 @@ impl<'a> Table<'a> {
         of: &mut T,
         rows: &Rows<T>,
         reader: &mut Reader,
-        mut own: impl FnMut(&mut Self, &mut T, Kind, &mut Reader),
+        own: impl FnMut(&mut Self, &mut T, Kind, &mut Reader),
     ) {
-        let mut inner = None;
+        for (_, table) in self.open_rows(of, rows, reader, own) {
+            table.finish(reader);
+        }
+    }
+
+    /// The same, with the inner tables unfinished: each with its key, if the text has it.
+    pub(super) fn open_rows<T>(
+        &mut self,
+        of: &mut T,
+        rows: &Rows<T>,
+        reader: &mut Reader,
+        mut own: impl FnMut(&mut Self, &mut T, Kind, &mut Reader),
+    ) -> Vec<(&'static str, Self)> {
+        let mut inner = Vec::new();
         for (key, access) in rows.iter() {
             match access {
                 Access::Number(_, set) => {
@@ -68,7 +75,8 @@ impl<'a> Table<'a> {
                 Access::Own => own(self, of, key.kind, reader),
             }
         }
-        finish(inner, reader);
+        let there = |(key, table): (_, Option<Self>)| Some((key, table?));
+        inner.into_iter().filter_map(there).collect()
     }
 
     /// A number of this table or of an inner one, which remains the current one for the next number.
@@ -81,11 +89,10 @@ impl<'a> Table<'a> {
         let Some((head, last)) = key.key.split_once('.') else {
             return self.number(key.key, key.range, key.default, reader);
         };
-        if inner.as_ref().is_none_or(|(open, _)| *open != head) {
-            finish(inner.take(), reader);
-            *inner = Some((head, self.table(head, reader)));
+        if inner.last().is_none_or(|(open, _)| *open != head) {
+            inner.push((head, self.table(head, reader)));
         }
-        match inner {
+        match inner.last_mut() {
             Some((_, Some(table))) => table.number(last, key.range, key.default, reader),
             _ => key.default.unwrap_or(f64::NAN),
         }

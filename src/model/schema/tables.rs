@@ -2,9 +2,9 @@
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::beam::{Beam, BeamMotion, Foundation, Material, Section, Span, Theory};
+use crate::model::spring::{Elastic, MaxwellBranch, Spring};
 use crate::model::types::{
-    Elastic, Force, InnerSupport, Joint, Model, Response, Spacing, Spring, Study, Subsystem,
-    Support, Sweep,
+    Force, InnerSupport, Joint, Model, Response, Spacing, Study, Subsystem, Support, Sweep,
 };
 use crate::unit::Unit;
 
@@ -121,9 +121,9 @@ pub const INNER_SUPPORT_KEYS: &[Key] = &{
 rows! {
     /// The elastic restraint of w or v.
     ELASTIC_TRANSLATION of Elastic as ElasticKey {
-        Stiffness = spring("stiffness", "K", STIFFNESS, "spring to the ground", stiffness),
-        Damping = spring("damping", "C", DAMPING, "damper to the ground", damping),
-        LossFactor = number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+        Stiffness = spring("stiffness", "K", STIFFNESS, "spring to the ground", spring.stiffness),
+        Damping = spring("damping", "C", DAMPING, "damper to the ground", spring.damping),
+        LossFactor = number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", spring.loss_factor),
         Inertia = number("mass", "m", KILOGRAM, NonNegative or 0.0, "mass that moves with the beam there", inertia),
     }
 }
@@ -131,9 +131,9 @@ rows! {
 rows! {
     /// The elastic restraint of a motion about an axis: psi and the slopes of w and v.
     ELASTIC_ROTATION of Elastic {
-        spring("stiffness", "K_T", ROTATIONAL_STIFFNESS, "rotational spring to the ground", stiffness),
-        spring("damping", "C_T", ROTATIONAL_DAMPING, "rotational damper to the ground", damping),
-        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+        spring("stiffness", "K_T", ROTATIONAL_STIFFNESS, "rotational spring to the ground", spring.stiffness),
+        spring("damping", "C_T", ROTATIONAL_DAMPING, "rotational damper to the ground", spring.damping),
+        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", spring.loss_factor),
         number("inertia", "I", INERTIA, NonNegative or 0.0, "moment of inertia that turns with the beam there", inertia),
     }
 }
@@ -141,9 +141,9 @@ rows! {
 rows! {
     /// The elastic restraint of the rate of twist, i.e. of warping.
     ELASTIC_WARPING of Elastic {
-        spring("stiffness", "K_B", WARPING_STIFFNESS, "spring against warping", stiffness),
-        spring("damping", "C_B", WARPING_DAMPING, "damper against warping", damping),
-        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+        spring("stiffness", "K_B", WARPING_STIFFNESS, "spring against warping", spring.stiffness),
+        spring("damping", "C_B", WARPING_DAMPING, "damper against warping", spring.damping),
+        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", spring.loss_factor),
         number("inertia", "I_B", WARPING_INERTIA, NonNegative or 0.0, "inertia against warping", inertia),
     }
 }
@@ -203,6 +203,39 @@ pub const fn link(motion: BeamMotion) -> &'static Rows<Spring> {
         BeamMotion::W | BeamMotion::V => &LINK_TRANSLATION,
         BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => &LINK_ROTATION,
         BeamMotion::PsiSlope => &LINK_WARPING,
+    }
+}
+
+rows! {
+    /// A Maxwell branch of a spring along a direction.
+    BRANCH_TRANSLATION of MaxwellBranch as BranchKey {
+        Stiffness = required_spring("stiffness", "k_b", STIFFNESS, "spring of the branch, in series with its damper", stiffness),
+        Damping = required_spring("damping", "c_b", DAMPING, "damper of the branch, in series with its spring", damping),
+    }
+}
+
+rows! {
+    /// A Maxwell branch of a spring about an axis.
+    BRANCH_ROTATION of MaxwellBranch {
+        required_spring("stiffness", "k_b", ROTATIONAL_STIFFNESS, "rotational spring of the branch, in series with its damper", stiffness),
+        required_spring("damping", "c_b", ROTATIONAL_DAMPING, "rotational damper of the branch, in series with its spring", damping),
+    }
+}
+
+rows! {
+    /// A Maxwell branch of a spring on the rate of twist.
+    BRANCH_WARPING of MaxwellBranch {
+        required_spring("stiffness", "k_b", WARPING_STIFFNESS, "spring of the branch against warping, in series with its damper", stiffness),
+        required_spring("damping", "c_b", WARPING_DAMPING, "damper of the branch against warping, in series with its spring", damping),
+    }
+}
+
+/// A Maxwell branch of the spring of a motion.
+pub const fn branch(motion: BeamMotion) -> &'static Rows<MaxwellBranch> {
+    match motion {
+        BeamMotion::W | BeamMotion::V => &BRANCH_TRANSLATION,
+        BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => &BRANCH_ROTATION,
+        BeamMotion::PsiSlope => &BRANCH_WARPING,
     }
 }
 

@@ -18,7 +18,9 @@ pub(super) fn value(node: &Node) -> Value {
             .parse()
             .unwrap_or_else(|_| text.as_str().into()),
         Node::Text(text) => text.as_str().into(),
-        Node::List(nodes) | Node::Tables(nodes) => array(nodes.iter().map(value).collect()).into(),
+        Node::List(nodes) | Node::Tables(nodes) => {
+            in_lines(nodes.iter().map(value).collect()).into()
+        }
         Node::Inline(entries) | Node::Ordered(entries) | Node::Table(entries) => {
             inline_table(entries).into()
         }
@@ -26,7 +28,7 @@ pub(super) fn value(node: &Node) -> Value {
 }
 
 /// An array, with one line per table if there are several.
-fn array(values: Vec<Value>) -> Array {
+fn in_lines(values: Vec<Value>) -> Array {
     let mut array = Array::new();
     let long = values.len() > 1 && values.iter().any(Value::is_inline_table);
     for value in values {
@@ -46,9 +48,25 @@ fn array(values: Vec<Value>) -> Array {
 fn inline_table(entries: &[Entry]) -> InlineTable {
     let mut table = InlineTable::new();
     for entry in written(entries) {
-        table.insert(entry.key.as_ref(), value(&entry.node));
+        table.insert(entry.key.as_ref(), in_one_line(&entry.node));
     }
     table
+}
+
+/// The value of a node inside braces.
+fn in_one_line(node: &Node) -> Value {
+    match node {
+        Node::List(nodes) | Node::Tables(nodes) => {
+            nodes.iter().map(in_one_line).collect::<Array>().into()
+        }
+        Node::Number(_)
+        | Node::Count(_)
+        | Node::Flag(_)
+        | Node::Text(_)
+        | Node::Inline(_)
+        | Node::Ordered(_)
+        | Node::Table(_) => value(node),
+    }
 }
 
 /// The entries that a new table shows.

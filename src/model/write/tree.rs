@@ -7,6 +7,7 @@ use super::super::schema::{
     self, Access, FORCE, FOUNDATION, JOINT, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SPAN,
     SUBSYSTEM, SWEEP,
 };
+use super::super::spring::{Spring, SubsystemSpring};
 use super::super::types::{
     Case, Family, Force, InnerSupport, Joint, Link, Model, Place, Quantity, Response, Restraint,
     Study, Subsystem, Support, Supports, Target,
@@ -254,10 +255,11 @@ fn joint(joint: &Joint) -> Vec<Entry> {
             let word = Node::Text(joined.kind().to_owned());
             optional(motion.key(), word, *joined == Link::Rigid)
         }
-        Link::Elastic(spring) => entry(
-            motion.key(),
-            Node::Inline(rows(spring, schema::link(motion))),
-        ),
+        Link::Elastic(spring) => {
+            let mut entries = rows(spring, schema::link(motion));
+            entries.push(maxwell(spring));
+            entry(motion.key(), Node::Inline(entries))
+        }
     }));
     entries
 }
@@ -268,17 +270,35 @@ fn restraints(support: &Support) -> Vec<Entry> {
             let word = Node::Text(held.kind().to_owned());
             optional(motion.key(), word, *held == Restraint::Free)
         }
-        Restraint::Elastic(elastic) => entry(
-            motion.key(),
-            Node::Inline(rows(elastic, schema::elastic(motion))),
-        ),
+        Restraint::Elastic(elastic) => {
+            let mut entries = rows(elastic, schema::elastic(motion));
+            entries.push(maxwell(&elastic.spring));
+            entry(motion.key(), Node::Inline(entries))
+        }
     };
     ORDER.map(restraint).into()
+}
+
+/// The Maxwell branches of a spring.
+fn maxwell(spring: &Spring) -> Entry {
+    // The units differ with the motion, the keys do not.
+    let branch = |of| Node::Inline(rows(of, &schema::BRANCH_TRANSLATION));
+    let list = spring.maxwell.iter().map(branch).collect();
+    optional("maxwell", Node::List(list), spring.maxwell.is_empty())
 }
 
 fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {
     let mut entries = rows(subsystem, &SUBSYSTEM);
     for entry in &mut entries {
+        if let Some(spring) = SubsystemSpring::of_word(&entry.key)
+            && let Node::Inline(inner) = &mut entry.node
+        {
+            let spring = subsystem.springs()[spring as usize];
+            inner.push(maxwell(spring));
+            if !spring.maxwell.is_empty() {
+                entry.presence = Always;
+            }
+        }
         // A 0 that a spring or damper uses is written.
         if Subsystem::OF_SPRINGS.contains(&&*entry.key) && entry.presence != Always {
             let needed = subsystem.needs(&entry.key);

@@ -4,20 +4,24 @@ use num_complex::Complex64;
 
 use super::beam_element::{BeamElement, Row, UNKNOWNS};
 use super::mesh::{Dof, Mesh, Unknown};
-use crate::model::{BeamMotion, Measure, Restraint, Spring, Subsystem};
+use crate::model::{BeamMotion, MaxwellBranch, Measure, Restraint, Spring, Subsystem};
 use crate::solve::layout::{Layout, Reading};
 
-/// k (1 + i eta) + i omega c, N/m.
-pub(super) fn dynamic_stiffness(spring: Spring, omega: f64) -> Complex64 {
-    Complex64::new(
+/// k (1 + i eta) + i omega c, N/m, and of each Maxwell branch the inverse of the sum of its compliances.
+pub(super) fn dynamic_stiffness(spring: &Spring, omega: f64) -> Complex64 {
+    let own = Complex64::new(
         spring.stiffness,
         spring.stiffness * spring.loss_factor + omega * spring.damping,
-    )
+    );
+    let branches = spring.maxwell.iter().filter(|of| of.acts());
+    let compliance =
+        |of: &MaxwellBranch| Complex64::new(1.0 / of.stiffness, -1.0 / (omega * of.damping));
+    own + branches.map(|of| compliance(of).inv()).sum::<Complex64>()
 }
 
 /// A stretch, a sum of unknowns times `factors`, and what resists it: the material, the axial force, the
 /// foundation or a spring.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Stretch {
     pub(super) unknowns: [usize; UNKNOWNS],
     pub(super) factors: [f64; UNKNOWNS],
@@ -104,7 +108,7 @@ impl System {
             let unknowns = unknowns(mesh, index);
             let element = &elements[span];
             for (by, factors) in &element.stretches {
-                self.add_stretch(&unknowns, factors, *by);
+                self.add_stretch(&unknowns, factors, by);
             }
             for (row, inertias) in unknowns.iter().zip(&element.inertia) {
                 for (column, inertia) in unknowns.iter().zip(inertias) {
@@ -130,15 +134,15 @@ impl System {
     }
 
     /// Adds a stretch of at most twelve unknowns; fixed ones do not move.
-    fn add_stretch(&mut self, unknowns: &[Unknown], factors: &[f64], by: Spring) {
-        if [by.stiffness, by.damping] == [0.0; 2] {
+    fn add_stretch(&mut self, unknowns: &[Unknown], factors: &[f64], by: &Spring) {
+        if !by.acts() {
             return;
         }
         let mut stretch = Stretch {
             unknowns: [0; UNKNOWNS],
             factors: [0.0; UNKNOWNS],
             terms: 0,
-            by,
+            by: by.clone(),
         };
         for (unknown, factor) in unknowns.iter().zip(factors) {
             if let Some(unknown) = *unknown
@@ -157,11 +161,11 @@ impl System {
         for (place, support) in &layout.supports {
             let node = mesh.places[*place];
             for motion in BeamMotion::ALL {
-                if let Restraint::Elastic(elastic) = support[motion] {
+                if let Restraint::Elastic(elastic) = &support[motion] {
                     let numbers = &mesh.nodes[node].acted_on;
                     let moved = [numbers[motion as usize], numbers[BeamMotion::Psi as usize]];
                     let factors = [1.0, support.point.arm(motion).unwrap_or_default()];
-                    self.add_stretch(&moved, &factors, elastic.into());
+                    self.add_stretch(&moved, &factors, &elastic.spring);
                     for (row, by_row) in moved.into_iter().zip(factors) {
                         for (column, by_column) in moved.into_iter().zip(factors) {
                             self.add_inertia(row, column, elastic.inertia * by_row * by_column);
@@ -177,7 +181,7 @@ impl System {
         for (place, springs) in &layout.joints {
             let node = &mesh.nodes[mesh.places[*place]];
             for (row, spring) in springs.iter().enumerate() {
-                if let Some(spring) = *spring {
+                if let Some(spring) = spring {
                     let sides = [node.of_left_element[row], node.acted_on[row]];
                     self.add_stretch(&sides, &[-1.0, 1.0], spring);
                 }
@@ -249,12 +253,12 @@ fn unknowns(mesh: &Mesh, element: usize) -> [Unknown; UNKNOWNS] {
 }
 
 /// The springs of a subsystem and their stretches over (y, z, theta | w, psi, v) (Chen & Liu 2022, Eq. 30).
-fn springs(s: &Subsystem) -> [(Spring, [f64; 6]); 4] {
+fn springs(s: &Subsystem) -> [(&Spring, [f64; 6]); 4] {
     [
-        (s.y_left, [1.0, 0.0, 0.0, -1.0, -s.mount_z, 0.0]),
-        (s.y_right, [1.0, 0.0, 0.0, -1.0, -s.mount_z, 0.0]),
-        (s.z_left, [0.0, 1.0, -s.arm_left, 0.0, s.mount_y, -1.0]),
-        (s.z_right, [0.0, 1.0, s.arm_right, 0.0, -s.mount_y, -1.0]),
+        (&s.y_left, [1.0, 0.0, 0.0, -1.0, -s.mount_z, 0.0]),
+        (&s.y_right, [1.0, 0.0, 0.0, -1.0, -s.mount_z, 0.0]),
+        (&s.z_left, [0.0, 1.0, -s.arm_left, 0.0, s.mount_y, -1.0]),
+        (&s.z_right, [0.0, 1.0, s.arm_right, 0.0, -s.mount_y, -1.0]),
     ]
 }
 

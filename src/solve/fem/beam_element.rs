@@ -112,7 +112,7 @@ impl BeamElement {
             let by = Spring {
                 stiffness: square.stiffness,
                 loss_factor: material.loss_factor,
-                damping: 0.0,
+                ..Spring::default()
             };
             (by, square.of)
         });
@@ -304,6 +304,7 @@ fn foundation(part: &UniformPart, h: f64, shapes: &Shapes) -> Vec<(Spring, Row)>
                 stiffness: share * bedding.stiffness,
                 damping: share * bedding.damping,
                 loss_factor: bedding.loss_factor,
+                ..Spring::default()
             };
             let of = std::array::from_fn(|unknown| {
                 at(shapes.motion[motion][unknown]) + arms[motion] * at(shapes.motion[1][unknown])

@@ -142,9 +142,8 @@ impl Mesh {
 /// Whether the rotation of a mass has an inertia, or a z spring or damper on an arm. Otherwise theta has no equation,
 /// and is 0.
 fn can_turn(subsystem: &Subsystem) -> bool {
-    let turned =
-        |spring: Spring, arm: f64| arm != 0.0 && (spring.stiffness != 0.0 || spring.damping != 0.0);
+    let turned = |spring: &Spring, arm: f64| arm != 0.0 && spring.acts();
     subsystem.inertia != 0.0
-        || turned(subsystem.z_left, subsystem.arm_left)
-        || turned(subsystem.z_right, subsystem.arm_right)
+        || turned(&subsystem.z_left, subsystem.arm_left)
+        || turned(&subsystem.z_right, subsystem.arm_right)
 }

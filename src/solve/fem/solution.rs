@@ -113,7 +113,7 @@ impl System {
         work.scale.resize(self.unknowns, 0.0);
         let square = omega * omega;
         for stretch in &self.stretches {
-            let k = dynamic_stiffness(stretch.by, omega).norm();
+            let k = dynamic_stiffness(&stretch.by, omega).norm();
             for (unknown, factor) in stretch.pairs() {
                 work.scale[unknown] += factor * factor * k;
             }
@@ -131,7 +131,7 @@ impl System {
             work.matrix.row_mut(row)[column + half - row] += value * scale;
         };
         for stretch in &self.stretches {
-            let k = dynamic_stiffness(stretch.by, omega);
+            let k = dynamic_stiffness(&stretch.by, omega);
             stretch.products(|row, column, product| add(row, column, k * product));
         }
         for inertia in &self.inertias {
@@ -154,7 +154,7 @@ impl System {
         for stretch in &self.stretches {
             let terms = stretch.terms;
             let stretched = solution.dot(&stretch.factors[..terms], &stretch.unknowns[..terms]);
-            let force = dynamic_stiffness(stretch.by, omega) * stretched;
+            let force = dynamic_stiffness(&stretch.by, omega) * stretched;
             for (unknown, factor) in stretch.pairs() {
                 out[unknown] -= force * factor;
             }

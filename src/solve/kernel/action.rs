@@ -179,9 +179,7 @@ impl Acting<'_> {
             Self::Joint(joined) => match joined.spring(motion) {
                 None => Condition::Known(Complex::ZERO),
                 Some(spring) => {
-                    let stiffness = waves
-                        .omega
-                        .damped_stiffness(spring.complex_stiffness(), spring.damping);
+                    let stiffness = waves.omega.dynamic_stiffness(spring);
                     tied(-stiffness, Complex::ONE, Complex::ZERO)
                 }
             },

@@ -5,6 +5,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 use num_complex::Complex64;
 
 use super::number::{Arithmetic, MOST_LANES, Real};
+use crate::model::Spring;
 
 /// A complex number at each frequency.
 #[derive(Debug, Clone, Copy)]
@@ -138,14 +139,28 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// k + i self c: the stiffness of a spring, complex by its loss factor, with a damper; self is the angular frequency.
+    /// The dynamic stiffness of a spring; self is the angular frequency.
     #[inline(always)]
-    pub(super) fn damped_stiffness(self, stiffness: Complex64, damping: f64) -> Self {
-        let damping = Real::splat(damping);
-        Self {
-            re: self.im.subtract_product(damping, Real::splat(stiffness.re)),
-            im: self.re.multiply_add(damping, Real::splat(stiffness.im)),
+    pub(super) fn dynamic_stiffness(self, spring: &Spring) -> Self {
+        let of_spring = spring.complex_stiffness();
+        let damping = Real::splat(spring.damping);
+        let mut sum = Self {
+            re: self.im.subtract_product(damping, Real::splat(of_spring.re)),
+            im: self.re.multiply_add(damping, Real::splat(of_spring.im)),
+        };
+        for index in 0..spring.maxwell.len() {
+            let branch = spring.maxwell[index];
+            if branch.acts() {
+                let (k, c) = (Real::splat(branch.stiffness), Real::splat(branch.damping));
+                let damper = Self {
+                    re: -(self.im * c),
+                    im: self.re * c,
+                };
+                let both = damper + Self::from_real(k);
+                sum += damper.scaled(k) * both.inverse();
+            }
         }
+        sum
     }
 
     /// The number or its negative, whichever has Re >= 0.

@@ -8,7 +8,7 @@ use super::number::{Arithmetic, Real, part};
 use super::product::ScaledProduct;
 use super::reflection::{Amplitudes, Reflection, Side, entry, reach};
 use super::waves::Waves;
-use crate::model::{BeamMotion, Point, Restraint, Spring};
+use crate::model::{BeamMotion, Point, Restraint};
 use crate::solve::plan::Held;
 
 /// Below this margin of the last system its solution is only rounding: the model has no damping and is at a resonance
@@ -131,14 +131,13 @@ pub(super) fn restraint<A: Arithmetic>(
     motion: BeamMotion,
 ) -> (Complex<A>, Real<A>, Complex64) {
     let load = end.loads_at_point()[motion as usize];
-    match end.support[motion] {
+    match &end.support[motion] {
         // A fixed motion is zero under any load.
         Restraint::Fixed => (Complex::ONE, Real::ZERO, Complex64::ZERO),
         Restraint::Free => (Complex::ZERO, Real::ONE, load),
         Restraint::Elastic(elastic) => {
             let inertia = (omega * omega).scaled(Real::splat(elastic.inertia));
-            let stiffness = Spring::from(elastic).complex_stiffness();
-            let spring = omega.damped_stiffness(stiffness, elastic.damping);
+            let spring = omega.dynamic_stiffness(&elastic.spring);
             (spring - inertia, Real::ONE, load)
         }
     }

@@ -124,11 +124,7 @@ impl<A: Arithmetic> State<A> {
             };
             -(force * inertia.inverse())
         };
-        let spring = |spring: &crate::model::Spring| {
-            waves
-                .omega
-                .damped_stiffness(spring.complex_stiffness(), spring.damping)
-        };
+        let spring = |spring: &crate::model::Spring| waves.omega.dynamic_stiffness(spring);
         // A fixed motion from the waves is only rounding.
         let [w_held, psi_held, v_held] = attachment.held;
         let unheld = |is_held: bool, motion| {

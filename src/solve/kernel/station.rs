@@ -119,9 +119,9 @@ impl<A: Arithmetic> Springs<A> {
     #[inline(always)]
     fn new(omega: Complex<A>, attachment: &Attachment) -> Self {
         let square = omega * omega;
-        let (left, right) = (attachment.z_left, attachment.z_right);
-        let (of_left, of_right) = (left.complex_stiffness(), right.complex_stiffness());
-        let sum = omega.damped_stiffness(of_left + of_right, left.damping + right.damping);
+        let left = omega.dynamic_stiffness(&attachment.z_left);
+        let right = omega.dynamic_stiffness(&attachment.z_right);
+        let sum = left + right;
         let arms = [
             attachment.half_difference_of_arms(),
             attachment.half_sum_of_arms(),
@@ -129,12 +129,9 @@ impl<A: Arithmetic> Springs<A> {
         let longest = arms[0].abs().max(arms[1].abs());
         let torque = sum.size() * Real::splat(longest);
         Self {
-            y: omega.damped_stiffness(
-                attachment.spring_y.complex_stiffness(),
-                attachment.spring_y.damping,
-            ),
+            y: omega.dynamic_stiffness(&attachment.spring_y),
             sum,
-            difference: omega.damped_stiffness(of_right - of_left, right.damping - left.damping),
+            difference: right - left,
             by_mass: square.scaled(Real::splat(attachment.mass)).inverse(),
             arms,
             inertia: square.scaled(Real::splat(attachment.inertia)),

@@ -18,9 +18,9 @@ use super::vectors::{Avx2, Avx512};
 use super::waves::{Constants, Waves};
 use super::{Instructions, Solver};
 use crate::model::{
-    BeamMotion, Elastic, Force, InnerSupport, Joint, Link, MassMotion, Measure, Model, Place,
-    Point, Quantity, Response, Restraint, Spring, Support, Target, Theory, UniformPart, check,
-    read,
+    BeamMotion, Elastic, Force, InnerSupport, Joint, Link, MassMotion, MaxwellBranch, Measure,
+    Model, Place, Point, Quantity, Response, Restraint, Spring, Support, Target, Theory,
+    UniformPart, check, read,
 };
 use crate::presets;
 use crate::solve::fem::FiniteElements;
@@ -178,6 +178,7 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
             spring.stiffness *= [0.0, 1e-2, 1.0, 10.0][random.usize(0..4)];
             spring.damping *= [0.0, 1.0, 100.0][random.usize(0..3)];
             spring.loss_factor = [0.0, 0.1][random.usize(0..2)];
+            spring.maxwell = random_branches(random);
         }
         for motion in MassMotion::ALL {
             let target = Target::Mass(subsystem.name.clone(), motion);
@@ -238,19 +239,33 @@ fn random_point(target: &Target, random: &mut fastrand::Rng) -> Point {
     }
 }
 
+/// None for half of the springs; some transmit no force. Does not advance the generator.
+fn random_branches(random: &fastrand::Rng) -> Vec<MaxwellBranch> {
+    let mut random = random.clone();
+    let count = [0, 0, 1, 2][random.usize(0..4)];
+    let branch = |_| MaxwellBranch {
+        stiffness: [0.0, 1e5, 3e6][random.usize(0..3)],
+        damping: [0.0, 300.0, 2e4][random.usize(0..3)],
+    };
+    (0..count).map(branch).collect()
+}
+
 fn random_support(random: &mut fastrand::Rng) -> Support {
     let elastic = Elastic {
-        stiffness: 1e6,
-        damping: 100.0,
-        loss_factor: [0.0, 0.2][random.usize(0..2)],
+        spring: Spring {
+            stiffness: 1e6,
+            damping: 100.0,
+            loss_factor: [0.0, 0.2][random.usize(0..2)],
+            maxwell: random_branches(random),
+        },
         inertia: [0.0, 10.0][random.usize(0..2)],
     };
-    let mut support = Support::on_axis([Restraint::Elastic(elastic); 6]);
+    let mut support = Support::FREE;
     for motion in BeamMotion::ALL {
         support[motion] = match random.u8(0..3) {
             0 => Restraint::Free,
             1 => Restraint::Fixed,
-            _ => Restraint::Elastic(elastic),
+            _ => Restraint::Elastic(elastic.clone()),
         };
     }
     support.point.z = [0.0, 0.1][random.usize(0..2)];
@@ -263,6 +278,7 @@ fn random_joint(random: &mut fastrand::Rng, length: f64) -> Joint {
         stiffness: [1e4, 1e6, 1e9][random.usize(0..3)],
         damping: 100.0,
         loss_factor: [0.0, 0.2][random.usize(0..2)],
+        maxwell: random_branches(random),
     };
     let mut joint = Joint {
         position: length * some(random, 0.05, 0.95),
@@ -271,7 +287,7 @@ fn random_joint(random: &mut fastrand::Rng, length: f64) -> Joint {
     for motion in BeamMotion::ALL {
         joint[motion] = match random.u8(0..4) {
             0 => Link::Free,
-            1 => Link::Elastic(spring),
+            1 => Link::Elastic(spring.clone()),
             _ => Link::Rigid,
         };
     }

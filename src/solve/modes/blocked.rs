@@ -1,4 +1,4 @@
-//! The roots of each mass on its springs while the beam is fixed.
+//! The roots of each mass on its springs, and of each Maxwell branch of the other springs, while the beam is fixed.
 //!
 //! They are zeros of polynomials and known in advance: each zero of the characteristic function is near one of them, or
 //! belongs to the beam.
@@ -8,11 +8,15 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::characteristic::inverse;
-use crate::model::{Model, Subsystem};
+use crate::model::{BeamMotion, MaxwellBranch, Model, Spring, SpringId, Subsystem};
 use crate::solve::linear::Magnified;
+use crate::solve::plan::{Event, Held, Plan};
 use crate::solve::springs::rows;
 
-/// All roots of the blocked masses of a model, rad/s.
+/// At a pole itself the characteristic function has no value.
+const BESIDE: f64 = 1.001;
+
+/// All roots of the blocked masses and Maxwell branches of a model, rad/s.
 #[derive(Debug, Clone)]
 pub(super) struct Blocked {
     pub(super) roots: Vec<Complex64>,
@@ -21,10 +25,48 @@ pub(super) struct Blocked {
 impl Blocked {
     /// Of a checked model.
     pub(super) fn new(model: &Model) -> Self {
+        let masses = model.attached().flat_map(of_mass);
+        let others = SpringId::all(model).filter(|id| !matches!(id, SpringId::Subsystem(..)));
+        let others = others.filter_map(|id| id.spring(model));
+        let others = others.flat_map(|spring| spring.relaxations().into_iter().map(pole));
         Self {
-            roots: model.attached().flat_map(of_mass).collect(),
+            roots: masses.chain(others.map(|pole| BESIDE * pole)).collect(),
         }
     }
+}
+
+/// The angular frequency, rad/s, at which the dynamic stiffness of a Maxwell branch is infinite: `i k_b / c_b`.
+fn pole(branch: MaxwellBranch) -> Complex64 {
+    Complex64::new(0.0, branch.stiffness / branch.damping)
+}
+
+/// The poles of the characteristic function, rad/s: those of the springs that the plan of a model has.
+pub(super) fn poles(plan: &Plan) -> Vec<Complex64> {
+    let mut springs = Vec::new();
+    let of_support = |held: &Held| {
+        let moving =
+            |motion: &BeamMotion| !(held.without_warping && *motion == BeamMotion::PsiSlope);
+        let springs = BeamMotion::ALL.into_iter().filter(moving);
+        let springs = springs.map(|motion| held.support[motion].elastic().spring.clone());
+        springs.collect::<Vec<Spring>>()
+    };
+    springs.extend([&plan.left, &plan.right].into_iter().flat_map(of_support));
+    for station in &plan.stations {
+        match &station.event {
+            Event::Attachment(attachment) => springs.extend(attachment.distinct_springs()),
+            Event::Support(held) => springs.extend(of_support(held)),
+            Event::Joint(joined) => {
+                let motions = BeamMotion::ALL.into_iter();
+                springs.extend(motions.filter_map(|motion| joined.spring(motion).cloned()));
+            }
+            Event::Junction(_) | Event::Load(_) | Event::Probe => {}
+        }
+    }
+    springs
+        .iter()
+        .flat_map(Spring::relaxations)
+        .map(pole)
+        .collect()
 }
 
 /// The product of `omega` - root over all roots.
@@ -38,35 +80,69 @@ pub(super) fn distances(roots: &[Complex64], omega: Complex64) -> Magnified {
     product
 }
 
-/// m s^2 + c s + k for y and, with arms and products, for z and theta together; omega = -i s.
+/// A polynomial of s, its coefficients by ascending power; omega = -i s.
+type Polynomial = Vec<Complex64>;
+
+/// Numerator and denominator of the dynamic stiffness of a spring.
+struct Rational([Polynomial; 2]);
+
+impl Rational {
+    /// k (1 + i eta) + c s, and `k_b c_b s / (k_b + c_b s)` of each Maxwell branch.
+    fn new(spring: &Spring) -> Self {
+        let mut above = vec![spring.complex_stiffness(), spring.damping.into()];
+        let mut below = vec![Complex64::ONE];
+        for branch in spring.relaxations() {
+            let own = [branch.stiffness.into(), branch.damping.into()];
+            let series = [Complex64::ZERO, (branch.stiffness * branch.damping).into()];
+            above = sum([&product(&above, &own), &product(&below, &series)]);
+            below = product(&below, &own);
+        }
+        Self([above, below])
+    }
+}
+
+/// m s^2 + k(s) for y, and the determinant for z and theta together, with the dynamic stiffness k of each spring; times its
+/// denominators.
 fn of_mass(subsystem: &Subsystem) -> Vec<Complex64> {
-    let [across, left, right] = rows(subsystem);
-    // The sums for the z springs over two motions of the mass.
-    let sum = |i: usize, j: usize, inertia: f64| {
-        let weights = [left, right].map(|row| row.mass[i] * row.mass[j]);
-        [
-            weights[0] * left.spring.complex_stiffness()
-                + weights[1] * right.spring.complex_stiffness(),
-            (weights[0] * left.spring.damping + weights[1] * right.spring.damping).into(),
-            inertia.into(),
-        ]
-    };
+    let rows = rows(subsystem);
+    let [
+        Rational([y, below_y]),
+        Rational([left, below_left]),
+        Rational([right, below_right]),
+    ] = rows.each_ref().map(|row| Rational::new(&row.spring));
     let Subsystem { mass, inertia, .. } = *subsystem;
-    let y = [
-        across.spring.complex_stiffness(),
-        across.spring.damping.into(),
-        mass.into(),
+    let squared = |factor: f64| [Complex64::ZERO, Complex64::ZERO, factor.into()];
+    let across = sum([&y, &product(&below_y, &squared(mass))]);
+    let [_, arm_left, arm_right] = rows.map(|row| row.mass[2]);
+    let of_arm = |arm: f64| squared(mass * arm * arm + inertia);
+    let inertias = product(&squared(mass), &squared(inertia));
+    let apart = (arm_right - arm_left).powi(2);
+    let together = [
+        product(&inertias, &product(&below_left, &below_right)),
+        product(&of_arm(arm_left), &product(&left, &below_right)),
+        product(&of_arm(arm_right), &product(&right, &below_left)),
+        product(&[apart.into()], &product(&left, &right)),
     ];
-    let (z, theta) = (sum(1, 1, mass), sum(2, 2, inertia));
-    let across = sum(1, 2, 0.0);
-    let mut together = [Complex64::ZERO; 5];
-    for i in 0..3 {
-        for j in 0..3 {
-            together[i + j] += z[i] * theta[j] - across[i] * across[j];
+    let roots = roots(&across)
+        .into_iter()
+        .chain(roots(&sum(together.each_ref())));
+    roots.map(|s| -Complex64::I * s).collect()
+}
+
+fn product(one: &[Complex64], other: &[Complex64]) -> Polynomial {
+    let mut product = vec![Complex64::ZERO; one.len() + other.len() - 1];
+    for (i, a) in one.iter().enumerate() {
+        for (j, b) in other.iter().enumerate() {
+            product[i + j] += a * b;
         }
     }
-    let roots = roots(&y).into_iter().chain(roots(&together));
-    roots.map(|s| -Complex64::I * s).collect()
+    product
+}
+
+fn sum<const N: usize>(terms: [&Polynomial; N]) -> Polynomial {
+    let length = terms.iter().map(|term| term.len()).max().unwrap_or(0);
+    let coefficient = |power: usize| terms.iter().filter_map(|term| term.get(power)).sum();
+    (0..length).map(coefficient).collect()
 }
 
 /// The roots of a polynomial with coefficients by ascending power, by the iteration of Aberth (Math. Comp. 27 (1973)

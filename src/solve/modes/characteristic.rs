@@ -7,7 +7,7 @@
 //!
 //! `F = det(left) det(right) prod(omega^4 m^2 det(station)) exp(sum kappa l) / (det[Q; M] det[S; P])`
 //!
-//! in which the choice of each wave's sign and scale cancels. No factor contains a growing exponential. The kernel
+//! in which the choice of each wave's sign and scale cancels. A Maxwell branch gives it a pole, by which it is multiplied. No factor contains a growing exponential. The kernel
 //! computes it at several frequencies at once.
 
 use num_complex::Complex64;
@@ -17,6 +17,7 @@ use super::super::kernel::{MOST_LANES, Prepared, Solver, waves};
 use super::super::linear::Magnified;
 use super::super::plan::Plan;
 use super::super::waves::BeamConstants;
+use super::blocked::{distances, poles};
 use crate::model::Model;
 
 /// A model laid out for the search for its natural frequencies.
@@ -25,6 +26,8 @@ pub(super) struct Characteristic {
     prepared: Prepared,
     /// Length of the beam, m.
     length: f64,
+    /// Its poles, rad/s.
+    poles: Vec<Complex64>,
 }
 
 impl Characteristic {
@@ -35,8 +38,10 @@ impl Characteristic {
             responses: Vec::new(),
             ..model.clone()
         };
+        let plan = Plan::new(&bare);
         Self {
-            prepared: Prepared::new(Plan::new(&bare)),
+            poles: poles(&plan),
+            prepared: Prepared::new(plan),
             length: model.length(),
         }
     }
@@ -75,6 +80,11 @@ impl Characteristic {
             .with_min_len(WORTH.div_ceil(stations))
             .for_each_init(Solver::default, |solver, (omegas, out)| {
                 solver.characteristic(&self.prepared, omegas, out);
+                if !self.poles.is_empty() {
+                    for (value, &omega) in out.iter_mut().zip(omegas) {
+                        *value = value.by(&distances(&self.poles, omega));
+                    }
+                }
             });
         values
     }

@@ -47,8 +47,7 @@ pub use shape::{shape, shapes, shares};
 pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
 use super::Cancelled;
-use super::springs::springs;
-use crate::model::{Checked, Link, Model, Restraint, Spring, SupportId};
+use crate::model::{Checked, Model, SpringId};
 
 /// The number of undamped modes below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` if there are too
 /// many to count.
@@ -274,14 +273,9 @@ fn is_hysteretic(model: &Model) -> bool {
     let beddings = parts
         .iter()
         .flat_map(|part| part.beam.foundation.beddings());
-    let supports = SupportId::all(model).flat_map(|id| id.support(model).restraints);
-    let links = model.joints.iter().flat_map(|joint| joint.links);
-    let springs = links
-        .map(Link::spring)
-        .chain(model.attached().flat_map(springs));
+    let springs = SpringId::acting(model);
     let mut losses = materials
         .chain(beddings.map(|of| of.stiffness * of.loss_factor))
-        .chain(supports.map(|of| Spring::from(of.elastic()).complex_stiffness().im))
         .chain(springs.map(|of| of.complex_stiffness().im));
     losses.any(|loss| loss != 0.0)
 }
@@ -316,30 +310,14 @@ fn with_damping_times(model: &Model, share: f64) -> Model {
             bedding.loss_factor *= share;
         }
     }
-    for id in SupportId::all(&model) {
-        for restraint in &mut id.support_mut(&mut model).restraints {
-            if let Restraint::Elastic(elastic) = restraint {
-                elastic.damping *= share;
-                elastic.loss_factor *= share;
+    for id in SpringId::all(&model) {
+        if let Some(spring) = id.spring_mut(&mut model) {
+            spring.damping *= share;
+            spring.loss_factor *= share;
+            for branch in &mut spring.maxwell {
+                branch.damping *= share;
             }
         }
-    }
-    let links = model.joints.iter_mut().flat_map(|joint| &mut joint.links);
-    let couplings = links.filter_map(|link| match link {
-        Link::Elastic(spring) => Some(spring),
-        Link::Rigid | Link::Free => None,
-    });
-    let springs = model.subsystems.iter_mut().flat_map(|subsystem| {
-        [
-            &mut subsystem.y_left,
-            &mut subsystem.y_right,
-            &mut subsystem.z_left,
-            &mut subsystem.z_right,
-        ]
-    });
-    for spring in couplings.chain(springs) {
-        spring.damping *= share;
-        spring.loss_factor *= share;
     }
     model
 }

@@ -11,7 +11,7 @@ use super::motion::Motion;
 use crate::model::{BeamMotion, Model, SupportId, UniformPart};
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::quadrature::Node;
-use crate::solve::springs::{geometric_stretches, springs};
+use crate::solve::springs::geometric_stretches;
 
 /// Corrects motions that are nearly bi-orthogonal, with their roots, rad/s: the form above is then `2 omega_i` for i =
 /// j and otherwise 0. Returns false if they are far from that: then they are not modes.
@@ -25,7 +25,8 @@ pub(super) fn bi_orthogonalise(
     const STEPS: usize = 5;
     let count = motions.len();
     let mut form = DMatrix::from_fn(count, count, |i, j| {
-        let [mass, damping] = products(model, nodes, [&motions[i], &motions[j]]);
+        let both = [roots[i], roots[j]];
+        let [mass, damping] = products(model, nodes, both, [&motions[i], &motions[j]]);
         let both = (roots[i] + roots[j]) * mass - Complex64::I * damping;
         both / (2.0 * roots[i].sqrt() * roots[j].sqrt())
     });
@@ -53,8 +54,14 @@ pub(super) fn bi_orthogonalise(
     true
 }
 
-/// `a^T M b` and `a^T C b` (without the beam's loss factor, which is a stiffness).
-fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 2] {
+/// `a^T M b` and `a^T C b` (without the beam's loss factor, which is a stiffness); Maxwell branches have a damping
+/// between two roots, rad/s.
+fn products(
+    model: &Model,
+    nodes: &[Node],
+    roots: [Complex64; 2],
+    [a, b]: [&Motion; 2],
+) -> [Complex64; 2] {
     let parts = model.uniform_parts();
     let matrices: Vec<BeamMatrices> = parts.iter().map(BeamMatrices::of_part).collect();
     let (mut mass, mut damping) = (Complex64::ZERO, Complex64::ZERO);
@@ -72,12 +79,12 @@ fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 
             let elastic = id.support(model)[motion].elastic();
             let product = a[motion as usize] * b[motion as usize];
             mass += elastic.inertia * product;
-            damping += elastic.damping * product;
+            damping += elastic.spring.damping_between(roots) * product;
         }
     }
     for (joint, (a, b)) in model.joints.iter().zip(a.joints.iter().zip(&b.joints)) {
         for (link, (a, b)) in joint.links.iter().zip(a.iter().zip(b)) {
-            damping += link.spring().damping * a * b;
+            damping += link.spring().damping_between(roots) * a * b;
         }
     }
     for (index, subsystem) in model.attached().enumerate() {
@@ -86,8 +93,8 @@ fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 
         let [[y_b, z_b, theta_b], _] = moved(b);
         mass += subsystem.mass * (y * y_b + z * z_b) + subsystem.inertia * theta * theta_b;
         let [of_a, of_b] = [a, b].map(|one| geometric_stretches(subsystem, moved(one)));
-        for (spring, (one, other)) in springs(subsystem).iter().zip(of_a.iter().zip(of_b)) {
-            damping += spring.damping * one * other;
+        for (spring, (one, other)) in subsystem.springs().into_iter().zip(of_a.iter().zip(of_b)) {
+            damping += spring.damping_between(roots) * one * other;
         }
     }
     [mass, damping]

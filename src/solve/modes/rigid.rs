@@ -1,6 +1,7 @@
 //! The modes at frequency 0: motions of the beam and the masses that stretch no spring.
 
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen};
+use num_complex::Complex64;
 
 use super::station::{Cut, Mass, Restrained};
 use crate::model::{BeamMotion, Bedding, Elastic, Model, Spring, Subsystem, UniformPart};
@@ -16,7 +17,7 @@ struct Coordinates {
 }
 
 /// The jump of a motion over a joint, right minus left.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Jump {
     position: f64,
     motion: BeamMotion,
@@ -90,19 +91,20 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
     if motions.is_empty() {
         return 0;
     }
-    // Dampers instead of springs.
-    let in_place = |spring: Spring| Spring {
-        stiffness: spring.damping,
+    // Dampers instead of springs; close to frequency 0 a Maxwell branch is one.
+    let of = |spring: &Spring| spring.damping_between([Complex64::ZERO; 2]).re;
+    let in_place = |spring| Spring {
+        stiffness: of(spring),
         ..Spring::default()
     };
     let dampers: Vec<Mass> = model
         .attached()
         .map(|subsystem| {
             Mass::new(&Subsystem {
-                y_left: in_place(subsystem.y_left),
-                y_right: in_place(subsystem.y_right),
-                z_left: in_place(subsystem.z_left),
-                z_right: in_place(subsystem.z_right),
+                y_left: in_place(&subsystem.y_left),
+                y_right: in_place(&subsystem.y_right),
+                z_left: in_place(&subsystem.z_left),
+                z_right: in_place(&subsystem.z_right),
                 // Its stiffness must not be added as an inertia.
                 inertia: 1.0,
                 ..subsystem.clone()
@@ -124,12 +126,12 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
             .iter()
             .flat_map(|of| coordinates.held_motions(of))
             .map(|(_, row, elastic)| {
-                let sum = elastic.damping * row.dot(&a.beam) * row.dot(&b.beam);
+                let sum = of(&elastic.spring) * row.dot(&a.beam) * row.dot(&b.beam);
                 [sum, sum.abs()]
             });
         let add = |[sum, size]: [f64; 2], [more, its]: [f64; 2]| [sum + more, size + its];
         let of_joints = a.jumps().zip(b.jumps()).map(|((jump, one), (_, other))| {
-            let sum = jump.spring.damping * one * other;
+            let sum = of(&jump.spring) * one * other;
             [sum, sum.abs()]
         });
         let bedded = a.beam.dot(&(&bedding * &b.beam));
@@ -238,7 +240,7 @@ impl Coordinates {
             cut.released().map(move |(motion, spring)| Jump {
                 position,
                 motion,
-                spring,
+                spring: spring.clone(),
             })
         });
         Self {
@@ -325,7 +327,7 @@ impl Coordinates {
                 let stiffness = if restrained.is_fixed(motion) {
                     held
                 } else {
-                    elastic.stiffness
+                    elastic.spring.stiffness
                 };
                 add_square(&mut rigid, stiffness, &row);
             }
@@ -361,17 +363,17 @@ impl Coordinates {
     /// A stiffness as large as any of the model: it makes sure that a fixed motion is not a mode at frequency 0.
     fn held_stiffness(&self, supports: &[Restrained], masses: &[Mass]) -> f64 {
         let rows = supports.iter().flat_map(Restrained::rows);
-        let springs = rows.map(|(_, _, elastic)| elastic.stiffness);
+        let springs = rows.map(|(_, _, elastic)| elastic.spring.stiffness);
         let joints = self.jumps.iter().map(|jump| jump.spring.stiffness);
         let masses = masses.iter().map(|mass| mass.stiffness.amax());
         springs.chain(joints).chain(masses).fold(1.0, f64::max)
     }
 
     /// The motions of the point that a support holds, each with its spring and inertia, as functions of the coordinates.
-    fn held_motions(
+    fn held_motions<'a>(
         &self,
-        restrained: &Restrained,
-    ) -> impl Iterator<Item = (BeamMotion, DVector<f64>, Elastic)> + use<> {
+        restrained: &'a Restrained,
+    ) -> impl Iterator<Item = (BeamMotion, DVector<f64>, &'a Elastic)> + use<'a> {
         let rows = self.rows(restrained.position);
         restrained.rows().map(move |(motion, row, elastic)| {
             let shares = rows.iter().zip(&row);

@@ -9,20 +9,20 @@ use crate::model::{
     BeamMotion, Elastic, Joint, Model, Point, Restraint, Spring, Subsystem, Support, SupportId,
     UniformPart,
 };
-use crate::solve::springs::{Stretch, restraint_stiffness, rows};
+use crate::solve::springs::{Stretch, rows};
 
 /// A stiffness below this fraction of the largest one is rounding.
 const RESOLVED: f64 = 1e-12;
 
 /// A support and its position.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Restrained {
     pub(super) position: f64,
     support: Support,
 }
 
 /// A joint: the spring between both sides of each motion that is not rigid.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Cut {
     pub(super) position: f64,
     springs: [Option<Spring>; 6],
@@ -67,7 +67,7 @@ impl Restrained {
     /// without energy, and between them no support acts on it.
     pub(super) fn all(model: &Model, parts: &[UniformPart]) -> Vec<Self> {
         let restrained = |id: SupportId| {
-            let mut support = *id.support(model);
+            let mut support = id.support(model).clone();
             let position = id.position(model);
             if !UniformPart::at(parts, position).warps() {
                 support[BeamMotion::PsiSlope] = match id {
@@ -85,15 +85,14 @@ impl Restrained {
     }
 
     /// Each motion with its spring and inertia; the motions are those of the point, as combinations of those of the axis.
-    pub(super) fn rows(&self) -> impl Iterator<Item = (BeamMotion, Vector6<f64>, Elastic)> + use<> {
-        let support = self.support;
-        BeamMotion::ALL.into_iter().map(move |motion| {
+    pub(super) fn rows(&self) -> impl Iterator<Item = (BeamMotion, Vector6<f64>, &Elastic)> {
+        BeamMotion::ALL.into_iter().map(|motion| {
             let mut row = Vector6::zeros();
             row[motion as usize] = 1.0;
-            if let Some(arm) = support.point.arm(motion) {
+            if let Some(arm) = self.support.point.arm(motion) {
                 row[BeamMotion::Psi as usize] = arm;
             }
-            (motion, row, support[motion].elastic())
+            (motion, row, self.support[motion].elastic())
         })
     }
 
@@ -101,11 +100,10 @@ impl Restrained {
     pub(super) fn stiffness(&self, omega: f64, units: &Units) -> Matrix6<f64> {
         let scale = Vector6::from(units.motion);
         let mut sum = Matrix6::zeros();
-        for (motion, row, _) in self.rows() {
-            // Without its dampers, which are the imaginary part.
-            let met = restraint_stiffness(omega.into(), self.support[motion]);
+        for (_, row, elastic) in self.rows() {
+            let without_dampers = elastic.spring.stiffness - omega * omega * elastic.inertia;
             let row = row.component_mul(&scale);
-            sum += met.map_or(0.0, |k| k.re) / units.stiffness * row * row.transpose();
+            sum += without_dampers / units.stiffness * row * row.transpose();
         }
         sum
     }
@@ -122,10 +120,9 @@ impl Cut {
     }
 
     /// The motions that are not rigid, with their springs.
-    pub(super) fn released(&self) -> impl Iterator<Item = (BeamMotion, Spring)> + use<> {
-        let springs = self.springs;
-        let motions = BeamMotion::ALL.into_iter().zip(springs);
-        motions.filter_map(|(motion, spring)| Some((motion, spring?)))
+    pub(super) fn released(&self) -> impl Iterator<Item = (BeamMotion, &Spring)> {
+        let motions = BeamMotion::ALL.into_iter().zip(&self.springs);
+        motions.filter_map(|(motion, spring)| Some((motion, spring.as_ref()?)))
     }
 
     /// The dimensionless stiffnesses of the springs between both sides of each motion that is not rigid.

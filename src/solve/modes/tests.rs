@@ -161,10 +161,11 @@ fn restraints() -> impl Strategy<Value = Restraint> {
     let inertia = prop_oneof![Just(0.0), 0.0..50.0];
     let elastic = (1.0..10.0, inertia).prop_map(|(power, inertia)| {
         Restraint::Elastic(Elastic {
-            stiffness: 10.0_f64.powf(power),
-            damping: 0.0,
+            spring: Spring {
+                stiffness: 10.0_f64.powf(power),
+                ..Spring::default()
+            },
             inertia,
-            loss_factor: 0.0,
         })
     });
     prop_oneof![2 => Just(Restraint::Free), 1 => Just(Restraint::Fixed), 2 => elastic]
@@ -177,8 +178,7 @@ fn subsystems() -> impl Strategy<Value = Subsystem> {
     ]
     .prop_map(|stiffness| Spring {
         stiffness,
-        damping: 0.0,
-        loss_factor: 0.0,
+        ..Spring::default()
     });
     let place = prop_oneof![
         Just(0.0),
@@ -197,21 +197,23 @@ fn subsystems() -> impl Strategy<Value = Subsystem> {
         prop::array::uniform4(spring),
         lengths,
     )
-        .prop_map(|(position, mass, inertia, springs, lengths)| Subsystem {
-            name: String::new(),
-            enabled: true,
-            position,
-            mass,
-            inertia,
-            y_left: springs[0],
-            y_right: springs[1],
-            z_left: springs[2],
-            z_right: springs[3],
-            arm_left: lengths[0],
-            arm_right: lengths[1],
-            mount_y: lengths[2],
-            mount_z: lengths[3],
-        })
+        .prop_map(
+            |(position, mass, inertia, [y_left, y_right, z_left, z_right], lengths)| Subsystem {
+                name: String::new(),
+                enabled: true,
+                position,
+                mass,
+                inertia,
+                y_left,
+                y_right,
+                z_left,
+                z_right,
+                arm_left: lengths[0],
+                arm_right: lengths[1],
+                mount_y: lengths[2],
+                mount_z: lengths[3],
+            },
+        )
 }
 
 /// The place, from 0 to 1, that stands for the end of the first span.

@@ -21,7 +21,7 @@ use super::beam_state::BeamState;
 use super::kernel::Prepared;
 use super::plan::{Held, Plan};
 use super::solution::MassSolution;
-use super::springs::{springs, stiffness, stretches};
+use super::springs::stretches;
 use crate::model::{Checked, Subsystem};
 use along::Along;
 
@@ -153,14 +153,14 @@ fn masses(along: &Along<'_>) -> Vec<MassState> {
         let omega = along.omega.into();
         let MassSolution { forces, motion } = along.solution.masses[station];
         let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], forces);
-        let springs = springs(subsystem);
+        let springs = subsystem.springs();
         MassState {
             name: subsystem.name.clone(),
             position: subsystem.position,
             motion,
             mount: [w, psi, v],
             forces: std::array::from_fn(|spring| {
-                stiffness(omega, springs[spring]) * stretches[spring]
+                springs[spring].dynamic_stiffness(omega) * stretches[spring]
             }),
             stretches,
         }

@@ -12,7 +12,6 @@ use crate::model::{BeamMotion, Force, Spring, SupportId, Target};
 use crate::solve::beam_state::BeamState;
 use crate::solve::energy::SpanEnergy;
 use crate::solve::linear::ZERO;
-use crate::solve::springs::springs;
 use crate::solve::waves::BeamConstants;
 
 /// The spring words of the model file, in the order of [`MassState::forces`].
@@ -66,16 +65,17 @@ fn input(along: &Along<'_>, masses: &[MassState], force: &Force) -> f64 {
     mean(along.omega, value, moved)
 }
 
-/// 1/2 omega (omega c + k eta) |stretch|^2, W; `None` for a spring without a damper and a loss factor.
-fn heat(omega: f64, spring: Spring, stretch: Complex64) -> Option<f64> {
-    let loss = omega * spring.damping + spring.complex_stiffness().im;
+/// Half the angular frequency times the imaginary part of the dynamic stiffness times |stretch|^2, W; `None` for a spring
+/// without a damper and a loss factor.
+fn heat(omega: f64, spring: &Spring, stretch: Complex64) -> Option<f64> {
+    let loss = spring.dynamic_stiffness(omega.into()).im;
     (loss > 0.0).then(|| 0.5 * omega * loss * stretch.norm_sqr())
 }
 
 fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
     let mut dampers = Vec::new();
     for (subsystem, state) in along.model.attached().zip(masses) {
-        for (index, spring) in springs(subsystem).into_iter().enumerate() {
+        for (index, spring) in subsystem.springs().into_iter().enumerate() {
             let power = heat(along.omega, spring, state.stretches[index]);
             dampers.extend(power.map(|power| Damper {
                 label: format!("{} {}", state.name, SPRINGS[index]),
@@ -115,7 +115,7 @@ fn of_supports(along: &Along<'_>) -> Vec<Damper> {
             // Without warping stiffness any spring or damper fixes the rate of twist, without energy.
             let idle = motion == BeamMotion::PsiSlope && held.without_warping;
             let moved = if idle { ZERO } else { moved };
-            let power = heat(along.omega, support[motion].elastic().into(), moved);
+            let power = heat(along.omega, &support[motion].elastic().spring, moved);
             dampers.extend(power.map(|power| Damper {
                 label: format!("{} {}", id.name(along.model), motion.key()),
                 power,
@@ -131,8 +131,9 @@ fn of_joints(along: &Along<'_>) -> Vec<Damper> {
         let [before, after] = along.sides(station);
         let jumps = joined.jumps(along.omega.into(), [&before, &after]);
         for (motion, jump) in BeamMotion::ALL.into_iter().zip(jumps) {
-            let spring = joined.spring(motion).unwrap_or_default();
-            dampers.extend(heat(along.omega, spring, jump).map(|power| Damper {
+            let power = joined.spring(motion);
+            let power = power.and_then(|spring| heat(along.omega, spring, jump));
+            dampers.extend(power.map(|power| Damper {
                 label: format!("joint {} {}", index + 1, motion.key()),
                 power,
             }));

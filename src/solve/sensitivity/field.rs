@@ -7,7 +7,7 @@ use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Held, Plan, Station};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
-use crate::solve::springs::{springs, stiffness, stretches};
+use crate::solve::springs::stretches;
 use crate::solve::waves::{Amplitudes, BeamConstants, Waves};
 
 /// A model laid out, and one frequency.
@@ -330,7 +330,7 @@ fn mass(
     let local = reader.end(station);
     let [w, psi, v, ..] = local.motion;
     let stretches = stretches(setting.omega, subsystem, [motion, [w, psi, v]], forces);
-    let springs = springs(subsystem);
+    let springs = subsystem.springs();
     let beam = setting.plan.beam(station);
     let mut slope = [local.motion[3], local.motion[4], local.motion[5]];
     if beam.without_warping() || beam.matrices.has_shear() {
@@ -343,7 +343,7 @@ fn mass(
         twist: psi,
         slope,
         forces: std::array::from_fn(|spring| {
-            stiffness(setting.omega, springs[spring]) * stretches[spring]
+            springs[spring].dynamic_stiffness(setting.omega) * stretches[spring]
         }),
         stretches,
     }

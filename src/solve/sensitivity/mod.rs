@@ -324,6 +324,7 @@ fn acts(model: &Model, group: Group) -> bool {
         | Group::Joint(_)
         | Group::Link(..) => true,
         Group::Subsystem(index) => model.subsystems[index].enabled,
+        Group::Branch(spring, _) => acts(model, spring.owner()),
         Group::Force(index) => model.forces[index].enabled,
         Group::Response(index) => model.responses[index].enabled,
         Group::Model

@@ -17,16 +17,16 @@ use num_complex::Complex64;
 use super::field::{Field, JointField, MassField, Setting, SupportField};
 use super::overlap::Overlap;
 use crate::model::schema::{
-    BeamKey, ElasticKey, FoundationKey, LinkKey, SectionKey, SpanKey, SubsystemKey,
+    BeamKey, BranchKey, ElasticKey, FoundationKey, LinkKey, SectionKey, SpanKey, SubsystemKey,
 };
 use crate::model::{
-    Beam, BeamMotion, BeamNumber, Joint, Link, ParameterId, Restraint, Spring, Subsystem,
-    SupportId, UniformPart,
+    Beam, BeamMotion, BeamNumber, Joint, Link, MaxwellBranch, ParameterId, Restraint, Spring,
+    Subsystem, SupportId, UniformPart,
 };
 use crate::solve::beam_matrices::{Across, BeamMatrices};
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
-use crate::solve::springs::{rows, springs};
+use crate::solve::springs::rows;
 
 /// A field and its adjoint, with the integrals of their product.
 pub(super) struct Product<'a> {
@@ -58,6 +58,10 @@ impl Product<'_> {
         let masses = self.lambda.masses.iter().zip(&self.u.masses);
         for (subsystem, (lambda, u)) in self.setting.model.attached().zip(masses) {
             all.extend(self.by_subsystem(subsystem, lambda, u));
+            let stretches = products(&lambda.stretches, &u.stretches);
+            for (spring, product) in subsystem.springs().into_iter().zip(stretches) {
+                all.extend(self.by_branches(spring, product));
+            }
         }
         all
     }
@@ -65,6 +69,7 @@ impl Product<'_> {
     /// `-lambda^T (dD/d omega) u = lambda^T (2 omega M - i C) u`, per rad/s.
     pub(super) fn by_omega(&self) -> Complex64 {
         let (mut mass, mut damping) = (ZERO, ZERO);
+        let here = [self.setting.omega; 2];
         for overlap in &self.overlaps {
             let matrices = &self.setting.plan.beams[overlap.beam].matrices;
             mass += overlap.inertia(matrices);
@@ -78,22 +83,21 @@ impl Product<'_> {
                 let product = at_support(fields, motion);
                 let elastic = id.support(self.setting.model)[motion].elastic();
                 mass += elastic.inertia * product;
-                damping += elastic.damping * product;
+                damping += elastic.spring.damping_between(here) * product;
             }
         }
         for (joint, [lambda, u]) in self.joints() {
             for (link, product) in joint.links.iter().zip(products(&lambda.jumps, &u.jumps)) {
-                damping += link.spring().damping * product;
+                damping += link.spring().damping_between(here) * product;
             }
         }
         let masses = self.lambda.masses.iter().zip(&self.u.masses);
         for (subsystem, (lambda, u)) in self.setting.model.attached().zip(masses) {
             let [y, z, theta] = products(&lambda.motion, &u.motion);
             mass += subsystem.mass * (y + z) + subsystem.inertia * theta;
-            let springs = springs(subsystem);
             let stretches = products(&lambda.stretches, &u.stretches);
-            for (spring, stretch) in springs.iter().zip(stretches) {
-                damping += spring.damping * stretch;
+            for (spring, stretch) in subsystem.springs().into_iter().zip(stretches) {
+                damping += spring.damping_between(here) * stretch;
             }
         }
         2.0 * self.setting.omega * mass - Complex64::I * damping
@@ -222,8 +226,9 @@ impl Product<'_> {
                 stiffness: bedding.stiffness,
                 damping: bedding.damping,
                 loss_factor: bedding.loss_factor,
+                ..Spring::default()
             };
-            self.dynamic(spring, self.overlaps[part].motions()[row])[number as usize]
+            self.dynamic(&spring, self.overlaps[part].motions()[row])[number as usize]
         });
         by.sum()
     }
@@ -247,7 +252,7 @@ impl Product<'_> {
         for motion in BeamMotion::ALL {
             if let Restraint::Free | Restraint::Elastic(_) = support[motion] {
                 let product = at_support(fields, motion);
-                all.extend(self.dynamic(support[motion].elastic().into(), product));
+                all.extend(self.dynamic(&support[motion].elastic().spring, product));
             }
         }
         // The force along v moves by -psi with y, that along w by psi with z.
@@ -256,6 +261,10 @@ impl Product<'_> {
             lambda.forces[row] * u.twist + u.forces[row] * lambda.twist
         };
         all.extend([-turned(BeamMotion::V), turned(BeamMotion::W)]);
+        for motion in BeamMotion::ALL {
+            let product = at_support(fields, motion);
+            all.extend(self.by_branches(&support[motion].elastic().spring, product));
+        }
     }
 
     /// The joints with both fields there.
@@ -286,10 +295,13 @@ impl Product<'_> {
                 }));
             }
         }
+        for (link, product) in joint.links.iter().zip(products(&lambda.jumps, &u.jumps)) {
+            all.extend(self.by_branches(link.spring(), product));
+        }
     }
 
     /// Minus the product times the derivatives of `k (1 + i eta) + i omega c - omega^2 m`.
-    fn dynamic(&self, spring: Spring, product: Complex64) -> [Complex64; ElasticKey::ALL.len()] {
+    fn dynamic(&self, spring: &Spring, product: Complex64) -> [Complex64; ElasticKey::ALL.len()] {
         let omega = self.setting.omega;
         ElasticKey::ALL.map(|key| match key {
             ElasticKey::Stiffness => -Complex64::new(1.0, spring.loss_factor) * product,
@@ -297,6 +309,27 @@ impl Product<'_> {
             ElasticKey::LossFactor => -Complex64::I * spring.stiffness * product,
             ElasticKey::Inertia => omega * omega * product,
         })
+    }
+
+    /// Minus the product times the derivatives of the Maxwell branches of a spring, by the rows of each.
+    fn by_branches(&self, spring: &Spring, product: Complex64) -> Vec<Complex64> {
+        let rate = Complex64::I * self.setting.omega;
+        let by = |of: &MaxwellBranch| {
+            let (k, c) = (of.stiffness, rate * of.damping);
+            let shares = if of.acts() {
+                [c / (k + c), k / (k + c)]
+            } else if k != 0.0 {
+                // Without a damper.
+                [ZERO, Complex64::ONE]
+            } else {
+                [Complex64::from(f64::from(of.damping != 0.0)), ZERO]
+            };
+            BranchKey::ALL.map(|key| match key {
+                BranchKey::Stiffness => -shares[0] * shares[0] * product,
+                BranchKey::Damping => -rate * shares[1] * shares[1] * product,
+            })
+        };
+        spring.maxwell.iter().flat_map(by).collect()
     }
 
     /// In the order of the rows with numbers.
@@ -309,7 +342,7 @@ impl Product<'_> {
         let square = self.setting.omega * self.setting.omega;
         let [y, z, theta] = products(&lambda.motion, &u.motion);
         let stretches = products(&lambda.stretches, &u.stretches);
-        let own = springs(subsystem);
+        let own = subsystem.springs();
         let [y_left, y_right, z_left, z_right] =
             std::array::from_fn(|spring| self.dynamic(own[spring], stretches[spring]));
         // The derivative by a position is the spring force times the change of its stretch, in both fields.

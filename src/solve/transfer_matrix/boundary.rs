@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use num_complex::Complex64;
 
 use super::shapes::Matrix;
+use super::springs::complex;
 use super::{Chain, Link, Solution, Vector, conjugate, moved_row};
 use crate::model::{BeamMotion, Restraint};
 
@@ -30,14 +31,13 @@ fn end(chain: &Chain, solution: &Solution, place: usize, state: &Matrix, outward
         let (row, unit) = conjugate(&solution.shapes, motion);
         let acted = state.row(row) * (unit * outward);
         let load = chain.layout.loads[place][motion as usize];
-        let (of_constants, load) = match support[motion] {
+        let (of_constants, load) = match &support[motion] {
             Restraint::Fixed => (moved.into_owned(), Complex64::ZERO),
             Restraint::Free => (acted, load),
             Restraint::Elastic(elastic) => {
                 // K_e of Eqs. (A26) to (A36).
                 let inertia = omega * omega * elastic.inertia;
-                let loss = elastic.stiffness * elastic.loss_factor + omega * elastic.damping;
-                let k = Complex64::new(elastic.stiffness - inertia, loss);
+                let k = complex(&elastic.spring, Complex64::I * omega) - inertia;
                 (acted + moved * k, load)
             }
         };

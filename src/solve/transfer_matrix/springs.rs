@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use crate::model::{Spring, Subsystem};
+use crate::model::{MaxwellBranch, Spring, Subsystem};
 
 /// The eight effective springs of Eqs. (1) and (2), and the effect of a load on the mass, at one frequency.
 ///
@@ -27,17 +27,23 @@ pub(super) struct EffectiveSprings {
 /// The forces of a subsystem's springs on the beam, over (w, psi, v): `F_y`, T and `F_z` of Eqs. (33) to (35).
 pub(super) type Forces = [[Complex64; 3]; 3];
 
+/// k (1 + i eta) + (rate) c, and the series of spring and damper of each Maxwell branch, N/m.
+pub(super) fn complex(spring: &Spring, rate: Complex64) -> Complex64 {
+    let loss = Complex64::new(1.0, spring.loss_factor);
+    let series = |of: &MaxwellBranch| {
+        let damper = rate * of.damping;
+        damper * of.stiffness / (damper + of.stiffness)
+    };
+    let acting = spring.maxwell.iter().filter(|of| of.acts());
+    rate * spring.damping + spring.stiffness * loss + acting.map(series).sum::<Complex64>()
+}
+
 impl EffectiveSprings {
     /// Condenses a subsystem at the angular frequency `omega`, rad/s.
     pub(super) fn new(s: &Subsystem, omega: f64) -> Self {
         // The paper's rate, with a bar: its square is -omega^2.
         let rate = Complex64::new(0.0, omega);
-        let complex = |spring: Spring| {
-            let loss = Complex64::new(1.0, spring.loss_factor);
-            rate * spring.damping + spring.stiffness * loss
-        };
-        let (y_left, y_right) = (complex(s.y_left), complex(s.y_right));
-        let (x1, x2) = (complex(s.z_left), complex(s.z_right));
+        let [y_left, y_right, x1, x2] = s.springs().map(|of| complex(of, rate));
         let (left, right) = (s.arm_left, s.arm_right);
         let along_z = s.mass * rate * rate + x1 + x2;
         let about_x = s.inertia * rate * rate + x1 * left * left + x2 * right * right;
@@ -150,10 +156,10 @@ mod tests {
     /// K + i omega C - omega^2 M over (y, z, theta | w, psi, v), from the stretches of the springs.
     fn whole(s: &Subsystem, omega: f64) -> Matrix6<Complex64> {
         let springs = [
-            (s.y_left, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
-            (s.y_right, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
-            (s.z_left, [0.0, -1.0, s.arm_left, 0.0, -s.mount_y, 1.0]),
-            (s.z_right, [0.0, -1.0, -s.arm_right, 0.0, s.mount_y, 1.0]),
+            (&s.y_left, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
+            (&s.y_right, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
+            (&s.z_left, [0.0, -1.0, s.arm_left, 0.0, -s.mount_y, 1.0]),
+            (&s.z_right, [0.0, -1.0, -s.arm_right, 0.0, s.mount_y, 1.0]),
         ];
         let mut k = Matrix6::zeros();
         for (spring, stretch) in springs {

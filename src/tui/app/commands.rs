@@ -198,6 +198,7 @@ impl App {
             ModelCommand::Repeat => self.repeat(),
             ModelCommand::Revert => self.revert(),
             ModelCommand::Add => self.add(),
+            ModelCommand::AddBranch => self.add_branch(),
             ModelCommand::Duplicate => self.duplicate(),
             ModelCommand::Rename => self.ask_name(),
             ModelCommand::Enable => self.switch(),

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use crate::model::{
-    BeamMotion, InnerSupport, Joint, Link, Model, Restraint, Spring, Subsystem, Support, SupportId,
+    BeamMotion, InnerSupport, Joint, Link, MaxwellBranch, Model, Restraint, Spring, SpringId,
+    Subsystem, Support, SupportId,
 };
 
 /// A new subsystem's mass as a share of the beam's.
@@ -60,7 +61,7 @@ pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
     let spring = Spring {
         stiffness: two_digits(stiffness / 2.0),
         damping: two_digits(DAMPING_RATIO * (stiffness * mass).sqrt()),
-        loss_factor: 0.0,
+        ..Spring::default()
     };
     Subsystem {
         name: free_name("S1", &position_names(model)),
@@ -68,14 +69,26 @@ pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
         position: model.length() / 2.0,
         mass,
         inertia: two_digits(mass * ARM * ARM),
-        y_left: spring,
-        y_right: spring,
-        z_left: spring,
+        y_left: spring.clone(),
+        y_right: spring.clone(),
+        z_left: spring.clone(),
         z_right: spring,
         arm_left: ARM,
         arm_right: ARM,
         mount_y: MOUNT,
         mount_z: 0.0,
+    }
+}
+
+/// A Maxwell branch as stiff as the spring beside it, with its loss at the middle of the sweep.
+pub(crate) fn new_branch(model: &Model, id: SpringId) -> MaxwellBranch {
+    const WITHOUT_SPRING: f64 = 1e6;
+    let beside = id.spring(model).map_or(0.0, |spring| spring.stiffness);
+    let stiffness = if beside > 0.0 { beside } else { WITHOUT_SPRING };
+    let omega = 2.0 * PI * (model.sweep.from * model.sweep.to).sqrt();
+    MaxwellBranch {
+        stiffness,
+        damping: two_digits(stiffness / omega),
     }
 }
 

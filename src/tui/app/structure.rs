@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::App;
 use super::edit::faults_in_words;
 use super::new_item::{
-    free_name, new_joint, new_subsystem, new_support, position_names, response_names, widest_gap,
+    free_name, new_branch, new_joint, new_subsystem, new_support, position_names, response_names,
+    widest_gap,
 };
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
@@ -74,6 +75,24 @@ impl App {
         self.restructure(name, after, group);
     }
 
+    /// Adds a Maxwell branch to the selected spring.
+    pub(crate) fn add_branch(&mut self) {
+        let mut after = Model::clone(self.model());
+        let place = self.selection.node().spring();
+        let Some(id) = place.filter(|id| id.spring(&after).is_some()) else {
+            return self.refuse(
+                "select a spring to add a Maxwell branch to it: of a subsystem, or an elastic motion of a support or joint",
+            );
+        };
+        let new = new_branch(&after, id);
+        if let Some(spring) = id.spring_mut(&mut after) {
+            spring.maxwell.push(new);
+        }
+        let group = Group::Branch(id, id.branches(&after).len() - 1);
+        let name = format!("add {}", tree::subject(&after, Node::Group(group)));
+        self.restructure(name, after, group);
+    }
+
     /// Says which keys add elements here, or where this one works.
     fn refuse_to_add(&mut self, group: Option<Group>) {
         let [study, variable, objective] = [
@@ -94,10 +113,18 @@ impl App {
         });
     }
 
-    /// Adds a copy of the selected inner support, joint, subsystem, force or response after it; a span is divided in half.
+    /// Adds a copy of the selected inner support, joint, subsystem, Maxwell branch, force or response after it; a span is
+    /// divided in half.
     pub(crate) fn duplicate(&mut self) {
         let mut after = Model::clone(self.model());
-        let (group, name) = match self.selection.node().item() {
+        let (group, name) = match self.selection.node().element() {
+            Some(branch @ Group::Branch(id, i)) => {
+                if let Some(spring) = id.spring_mut(&mut after) {
+                    spring.maxwell.insert(i + 1, spring.maxwell[i]);
+                }
+                let subject = tree::subject(&after, Node::Group(branch));
+                (Group::Branch(id, i + 1), format!("duplicate {subject}"))
+            }
             Some(Group::Support(SupportId::Inner(i))) => {
                 let mut copy = after.supports.inner[i].clone();
                 copy.name = free_name(&copy.name, &position_names(&after));
@@ -119,7 +146,7 @@ impl App {
                 let position = widest_gap(&after);
                 let copy = Joint {
                     position,
-                    ..after.joints[i]
+                    ..after.joints[i].clone()
                 };
                 after.joints.insert(i + 1, copy);
                 (Group::Joint(i + 1), format!("duplicate joint {}", i + 1))
@@ -151,7 +178,8 @@ impl App {
         self.restructure(name, after, group);
     }
 
-    /// Deletes the selected span, inner support, joint, subsystem, force, response or study, unless another element needs it.
+    /// Deletes the selected span, inner support, joint, subsystem, Maxwell branch, force, response or study, unless another
+    /// element needs it.
     pub(crate) fn delete(&mut self) {
         match self.selection.node().group() {
             Group::Variable(index) => return self.drop_variable(index),
@@ -160,14 +188,15 @@ impl App {
             _ => {}
         }
         let mut after = Model::clone(self.model());
-        let Some(item) = self.selection.node().item() else {
+        let Some(item) = self.selection.node().element() else {
             return self.refuse(
                 "select a span, inner support, joint, subsystem, force, response or study to delete it",
             );
         };
-        let (Some(i), Some(list)) = (item.place(), item.parent()) else {
+        let Some(list) = item.parent() else {
             return;
         };
+        let place = list.groups(&after).iter().position(|of| *of == item);
         if let (Group::Span(_), [last]) = (item, &after.spans[..])
             && last.offset != Point::AXIS
         {
@@ -180,14 +209,14 @@ impl App {
             return self.refuse(format!("{subject} is needed by {user}"));
         }
         let rest = list.groups(&after);
-        let next = rest.get(i).or(rest.last()).copied();
+        let next = place.and_then(|place| rest.get(place)).or(rest.last());
         // The spans have no row without a span.
         let without = if list == Group::Spans {
             Group::Beam
         } else {
             list
         };
-        let next = next.unwrap_or(without);
+        let next = next.copied().unwrap_or(without);
         self.restructure(format!("delete {subject}"), after, next);
     }
 

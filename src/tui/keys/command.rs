@@ -130,6 +130,7 @@ impl Command {
                         ModelCommand::Cycle
                             | ModelCommand::Revert
                             | ModelCommand::Add
+                            | ModelCommand::AddBranch
                             | ModelCommand::Duplicate
                             | ModelCommand::Delete
                             | ModelCommand::Enable

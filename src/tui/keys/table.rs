@@ -1,8 +1,8 @@
 //! The rows of the key table, and their commands: each row defines a command.
 
 use crossterm::event::KeyCode::{
-    BackTab, Backspace, Delete, Down, End, Enter, Esc, F, Home, Left, PageDown, PageUp, Right, Tab,
-    Up,
+    BackTab, Backspace, Delete, Down, End, Enter, Esc, F, Home, Insert, Left, PageDown, PageUp,
+    Right, Tab, Up,
 };
 
 use super::Hint::{Always, Choice, Group, Item, List, Never, Number, Table, Value};
@@ -122,6 +122,7 @@ key_table! {
         Repeat "repeat" [key(';')], Never, "repeat the last change (also a typed one) on the selected row";
         Revert "revert" [special(Backspace)], Never, "restore the file's value";
         Add "add" [key('a')], List("add"), "add a span, support, joint, subsystem, force or response";
+        AddBranch "add-branch" [special(Insert)], Never, "add a Maxwell branch, a spring and a damper in series, to the spring of the row";
         Duplicate "duplicate" [key('D')], Item("duplicate"), "duplicate the inner support, joint, subsystem, force or response, or divide the span";
         Rename "rename" [key('r')], Item("rename"), "rename the inner support, subsystem, response or study";
         Enable "enable" [key('e')], Item("on/off"), "enable or disable the subsystem, force or response";

@@ -24,7 +24,7 @@ fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
         Group::Span(i) => saved.spans.get(i) != Some(&model.spans[i]),
         Group::Supports => model.supports != saved.supports,
         Group::Support(id) => counterpart(model, saved, group).is_none_or(|other| {
-            let at = |id: SupportId, model| (*id.support(model), id.position(model));
+            let at = |id: SupportId, model| (id.support(model).clone(), id.position(model));
             match id {
                 SupportId::Left | SupportId::Right => id.support(model) != other.support(saved),
                 SupportId::Inner(_) => at(id, model) != at(other, saved),
@@ -35,13 +35,20 @@ fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
         Group::Joints => model.joints != saved.joints,
         Group::Joint(i) => saved.joints.get(i) != Some(&model.joints[i]),
         Group::Link(i, motion) => {
-            saved.joints.get(i).map(|joint| joint[motion]) != Some(model.joints[i][motion])
+            saved.joints.get(i).map(|joint| &joint[motion]) != Some(&model.joints[i][motion])
         }
         Group::Subsystems => model.subsystems != saved.subsystems,
         Group::Subsystem(i) => group
             .counterpart(model, saved)
             .and_then(Group::place)
             .is_none_or(|place| saved.subsystems[place] != model.subsystems[i]),
+        Group::Branch(spring, i) => {
+            let now = spring.branches(model).get(i);
+            now != match group.counterpart(model, saved) {
+                Some(Group::Branch(spring, i)) => spring.branches(saved).get(i),
+                _ => None,
+            }
+        }
         Group::Forces => model.forces != saved.forces,
         Group::Force(i) => saved.forces.get(i) != Some(&model.forces[i]),
         Group::Responses => model.responses != saved.responses,

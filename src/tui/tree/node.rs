@@ -1,7 +1,7 @@
 //! The nodes of the tree.
 
 use crate::model::schema::Kind;
-use crate::model::{Group, Moves, ParameterId, SupportId};
+use crate::model::{Group, Moves, ParameterId, SpringId, SubsystemSpring, SupportId};
 
 /// A row of the tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -67,6 +67,28 @@ impl Node {
         match self {
             Self::Group(group) => group.parameter_of(Kind::Name),
             other => (other == Self::TITLE).then_some(ParameterId::TITLE),
+        }
+    }
+
+    /// What can be deleted or duplicated there: [`Self::item`], or a Maxwell branch.
+    pub fn element(self) -> Option<Group> {
+        match self.group() {
+            branch @ Group::Branch(..) => Some(branch),
+            _ => self.item(),
+        }
+    }
+
+    /// The spring of its row, if it has one.
+    pub fn spring(self) -> Option<SpringId> {
+        match self.group() {
+            Group::Branch(spring, _) => Some(spring),
+            Group::Motion(id, motion) => Some(SpringId::Support(id, motion)),
+            Group::Link(joint, motion) => Some(SpringId::Joint(joint, motion)),
+            Group::Subsystem(index) => {
+                let (word, _) = self.parameter()?.key().key.split_once('.')?;
+                Some(SpringId::Subsystem(index, SubsystemSpring::of_word(word)?))
+            }
+            _ => None,
         }
     }
 

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use super::{Node, tuning};
 use crate::model::edit::Value;
-use crate::model::schema::{self, ElasticKey, LinkKey, Wording};
+use crate::model::schema::{self, BranchKey, ElasticKey, LinkKey, Wording};
 use crate::model::{
     BeamMotion, Bedding, Family, Foundation, Group, Link, Model, Parameter, ParameterId, Place,
-    Point, Quantity, Response, Restraint, Study, SupportId, Supports, Sweep, Target, Unit, counted,
-    grouped,
+    Point, Quantity, Response, Restraint, SpringId, Study, SupportId, Supports, Sweep, Target,
+    Unit, counted, grouped,
 };
 use crate::tune::words;
 
@@ -43,6 +43,10 @@ fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
         Group::Motion(_, motion) | Group::Link(_, motion) => spaced(motion.key()),
         Group::Joint(i) => format!("joint {}", i + 1).into(),
         Group::Subsystem(i) => model.subsystems[i].name.as_str().into(),
+        Group::Branch(SpringId::Subsystem(_, spring), i) => {
+            format!("{} branch {}", spaced(spring.key()), i + 1).into()
+        }
+        Group::Branch(_, i) => format!("branch {}", i + 1).into(),
         Group::Force(i) => format!("force {}", i + 1).into(),
         Group::Response(i) => model.responses[i].name.as_str().into(),
         Group::Study(i) => model.studies[i].name.as_str().into(),
@@ -87,7 +91,9 @@ pub fn subject(model: &Model, node: Node) -> String {
             match id.group {
                 Group::Model => own,
                 Group::Motion(id, motion) => format!("{} {} {own}", id.name(model), motion.key()),
-                Group::Link(..) => format!("{} {own}", subject(model, Node::Group(id.group))),
+                Group::Link(..) | Group::Branch(..) => {
+                    format!("{} {own}", subject(model, Node::Group(id.group)))
+                }
                 Group::Support(id) => format!("{} {own}", support(model, id)),
                 group if ParameterId::owner_of(group).is_some() => {
                     format!("{} {own}", subject(model, Node::Group(group)))
@@ -105,6 +111,10 @@ pub fn subject(model: &Model, node: Node) -> String {
         Node::Group(Group::Support(id)) => support(model, id),
         Node::Group(Group::Motion(id, motion)) => format!("{} {}", id.name(model), motion.key()),
         Node::Group(Group::Link(i, motion)) => format!("joint {} {}", i + 1, motion.key()),
+        Node::Group(Group::Branch(spring, i)) => {
+            let owner = group_label(model, spring.owner());
+            format!("{owner} {} branch {}", spring.key(), i + 1)
+        }
         Node::Group(group @ (Group::Variable(_) | Group::Objective(_) | Group::Limit(_))) => {
             format!("tune {}", group_label(model, group))
         }
@@ -162,9 +172,10 @@ fn group_value(model: &Model, group: Group) -> String {
         Group::Support(id @ SupportId::Inner(_)) => Unit::METRE.format(id.position(model)),
         Group::Joints => model.joints.len().to_string(),
         Group::Joint(i) => Unit::METRE.format(model.joints[i].position),
-        Group::Link(i, motion) => link(model.joints[i][motion], motion),
-        Group::Motion(end, motion) => restraint(end.support(model)[motion], motion),
+        Group::Link(i, motion) => link(&model.joints[i][motion], motion),
+        Group::Motion(end, motion) => restraint(&end.support(model)[motion], motion),
         Group::Subsystems => model.subsystems.len().to_string(),
+        Group::Branch(spring, i) => branch(model, spring, i),
         Group::Subsystem(i) => {
             let subsystem = &model.subsystems[i];
             switched(subsystem.enabled, || Unit::METRE.format(subsystem.position))
@@ -248,20 +259,25 @@ pub fn without_unit_of<'a>(before: &'a str, after: &str) -> &'a str {
     }
 }
 
-fn restraint(restraint: Restraint, motion: BeamMotion) -> String {
+fn restraint(restraint: &Restraint, motion: BeamMotion) -> String {
     let stiffness = &schema::elastic(motion).keys[ElasticKey::Stiffness as usize];
     match restraint {
-        Restraint::Elastic(elastic) => stiffness.unit.format(elastic.stiffness),
+        Restraint::Elastic(elastic) => stiffness.unit.format(elastic.spring.stiffness),
         held => held.kind().to_owned(),
     }
 }
 
-fn link(link: Link, motion: BeamMotion) -> String {
+fn link(link: &Link, motion: BeamMotion) -> String {
     let stiffness = &schema::link(motion).keys[LinkKey::Stiffness as usize];
     match link {
         Link::Elastic(spring) => stiffness.unit.format(spring.stiffness),
         joined => joined.kind().to_owned(),
     }
+}
+
+fn branch(model: &Model, spring: SpringId, index: usize) -> String {
+    let stiffness = Group::Branch(spring, index).parameter(BranchKey::Stiffness as usize);
+    value(model, Node::Parameter(stiffness))
 }
 
 /// A motion or load, its position, and the coordinate of its point of the section that matters.

@@ -93,7 +93,7 @@ fn another_axis_changes_no_response() {
                 Restraint::Fixed
             };
             for motion in SLOPES {
-                support[motion] = slopes;
+                support[motion] = slopes.clone();
             }
         }
         for joint in &mut expected.joints {

@@ -285,6 +285,42 @@ fn joints_are_added_copied_and_deleted() {
     );
 }
 
+#[test]
+fn maxwell_branches_are_added_copied_and_deleted() {
+    let mut app = app("fig05a");
+    select(&mut app, "subsystems.S1.y_left.stiffness");
+    press(&mut app, KeyCode::Insert);
+    assert_eq!(message(&app), "add S1 y_left branch 1");
+    let branches = |app: &App| app.model().subsystems[0].y_left.maxwell.clone();
+    let [added] = branches(&app)[..] else {
+        panic!("{:?}", branches(&app));
+    };
+    assert_eq!(added.stiffness, app.model().subsystems[0].y_left.stiffness);
+    keys(&mut app, "D");
+    assert_eq!(branches(&app), [added; 2]);
+    assert_eq!(
+        tree::label(app.model(), app.selection.node()),
+        "y left branch 2"
+    );
+    keys(&mut app, "x");
+    assert_eq!(branches(&app), [added]);
+    select(&mut app, "subsystems.S1.y_left.maxwell.1.damping");
+    keys(&mut app, "x");
+    assert_eq!(branches(&app), []);
+    assert_eq!(app.selection.node(), Node::Group(Group::Subsystem(0)));
+    select(&mut app, "supports.left.w");
+    press(&mut app, KeyCode::Insert);
+    assert_eq!(message(&app), "add left w branch 1");
+    keys(&mut app, "u");
+    select(&mut app, "beam.length");
+    press(&mut app, KeyCode::Insert);
+    assert!(
+        message(&app).contains("select a spring"),
+        "{}",
+        message(&app)
+    );
+}
+
 /// fig05a is 3.2 m long.
 #[test]
 fn spans_are_added_divided_and_deleted() {

@@ -21,7 +21,7 @@ use ratatui::text::Line;
 
 use self::beam::{Body, Profile};
 use self::rows::Rows;
-use crate::model::{BeamMotion, Group, Model, Place, Spring, SupportId, Unit, counted};
+use crate::model::{BeamMotion, Group, Model, Place, SupportId, Unit, counted};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, CellRuler, Scale};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK, Signs, width};
@@ -299,15 +299,14 @@ fn named_motions(wanted: impl Fn(BeamMotion) -> bool, what: &str) -> Option<Stri
     (!keys.is_empty()).then(|| format!("{} {what}", keys.join(" ")))
 }
 
-/// The sign of a spring with a damper parallel to it: springs zigzag; none if there is neither.
-fn spring_sign(signs: &Signs, spring: Spring, row: i32) -> Option<char> {
-    if spring.stiffness > 0.0 {
-        Some(signs.zigzag[(row % 2) as usize])
-    } else if spring.damping > 0.0 {
-        Some(if row == 0 { signs.damper } else { signs.rod })
-    } else {
-        None
-    }
+/// The sign of a spring: it zigzags.
+const fn spring_sign(signs: &Signs, row: i32) -> char {
+    signs.zigzag[(row % 2) as usize]
+}
+
+/// The sign of a damper.
+const fn damper_sign(signs: &Signs, row: i32) -> char {
+    if row == 0 { signs.damper } else { signs.rod }
 }
 
 #[cfg(test)]

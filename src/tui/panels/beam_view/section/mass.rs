@@ -8,48 +8,44 @@ use crate::model::{Spring, Subsystem};
 use crate::tui::sketch::{Board, Cell, way};
 
 /// One side of a subsystem.
-struct Side {
+struct Side<'a> {
     name: char,
     /// The position at which its springs meet the beam, y in m.
     mount: f64,
     /// The position at which its z spring meets the mass, y in m.
     arm: f64,
-    y: Spring,
-    z: Spring,
+    y: &'a Spring,
+    z: &'a Spring,
     /// The direction away from the axis, in columns: y grows to the left.
     outward: i32,
 }
 
-impl Side {
+impl Side<'_> {
     fn has_springs(&self) -> bool {
-        exists(self.y) || exists(self.z)
+        self.y.acts() || self.z.acts()
     }
 }
 
-fn sides(subsystem: &Subsystem) -> [Side; 2] {
+fn sides(subsystem: &Subsystem) -> [Side<'_>; 2] {
     let outward = if subsystem.mount_y < 0.0 { 1 } else { -1 };
     [
         Side {
             name: 'L',
             mount: subsystem.mount_y,
             arm: subsystem.arm_left,
-            y: subsystem.y_left,
-            z: subsystem.z_left,
+            y: &subsystem.y_left,
+            z: &subsystem.z_left,
             outward,
         },
         Side {
             name: 'R',
             mount: -subsystem.mount_y,
             arm: -subsystem.arm_right,
-            y: subsystem.y_right,
-            z: subsystem.z_right,
+            y: &subsystem.y_right,
+            z: &subsystem.z_right,
             outward: -outward,
         },
     ]
-}
-
-fn exists(spring: Spring) -> bool {
-    spring.stiffness > 0.0 || spring.damping > 0.0
 }
 
 /// The parts of a subsystem that must be in the picture.
@@ -62,7 +58,7 @@ pub(super) fn take(subsystem: &Subsystem, extent: &mut Extent) {
 
 /// The cells that a subsystem needs around the part drawn to scale.
 pub(super) fn reserve(subsystem: &Subsystem, [columns, rows]: [u16; 2]) -> Reserve {
-    let springs = sides(subsystem).iter().any(|side| exists(side.y));
+    let springs = sides(subsystem).iter().any(|side| side.y.acts());
     let sides = match columns {
         _ if !springs => 1,
         0..=29 => 3,
@@ -92,7 +88,7 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, subsystem: &Sub
     let distance = if words { 4 } else { 3 };
     let bar = picture.plane.below(distance);
     let sides = sides(subsystem);
-    let reach = i32::from(sides.iter().any(|side| exists(side.y)))
+    let reach = i32::from(sides.iter().any(|side| side.y.acts()))
         * if board.columns() < 30 { 3 } else { 5 };
     for side in &sides {
         let mount = picture.plane.cell(side.mount, subsystem.mount_z);
@@ -100,10 +96,10 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, subsystem: &Sub
         if side.has_springs() {
             board.sign_if_free(mount, picture.signs.mount, style);
         }
-        if exists(side.z) {
+        if side.z.acts() {
             draw_spring(picture, board, [mount, arm], side.z, style);
         }
-        if exists(side.y) {
+        if side.y.acts() {
             let outer = [mount[0] * side.outward, arm[0] * side.outward];
             let column = outer[0].max(outer[1]) * side.outward + reach * side.outward;
             let upright = [column, mount[1]];
@@ -126,13 +122,13 @@ fn draw_spring(
     picture: &Picture<'_>,
     board: &mut Board<'_>,
     [from, to]: [Cell; 2],
-    spring: Spring,
+    spring: &Spring,
     style: Style,
 ) {
     let cells = way(from, to);
     let inner = cells.get(1..cells.len() - 1).unwrap_or_default();
     for (number, cell) in inner.iter().enumerate() {
-        let sign = if spring.stiffness > 0.0 {
+        let sign = if spring.has_spring() {
             picture.signs.zigzag[number % 2]
         } else if number == inner.len() / 2 {
             picture.signs.damper
@@ -168,7 +164,7 @@ fn draw_upright(
 fn draw_bar(
     picture: &Picture<'_>,
     board: &mut Board<'_>,
-    sides: &[Side; 2],
+    sides: &[Side<'_>; 2],
     bar: i32,
     style: Style,
 ) {

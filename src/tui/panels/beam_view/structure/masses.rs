@@ -3,7 +3,7 @@
 use ratatui::style::Style;
 
 use super::ticks::{self, Tick};
-use super::{Focus, Picture, loads, spring_sign};
+use super::{Focus, Picture, damper_sign, loads, spring_sign};
 use crate::model::{Spring, Subsystem, Unit};
 use crate::tui::sketch::{Board, Frame, POINTER, width};
 use crate::tui::view::text::cut;
@@ -231,18 +231,12 @@ fn draw_springs(
     selected: bool,
 ) {
     let along = [
-        (
-            'y',
-            Spring::in_parallel(subsystem.y_left, subsystem.y_right),
-        ),
-        (
-            'z',
-            Spring::in_parallel(subsystem.z_left, subsystem.z_right),
-        ),
+        ('y', subsystem.y_left.in_parallel(&subsystem.y_right)),
+        ('z', subsystem.z_left.in_parallel(&subsystem.z_right)),
     ];
     let there: Vec<(char, Spring)> = along
         .into_iter()
-        .filter(|(_, spring)| spring.stiffness > 0.0 || spring.damping > 0.0)
+        .filter(|(_, spring)| spring.acts())
         .collect();
     let style = picture.style(subsystem.enabled, selected);
     for (number, (letter, spring)) in there.iter().enumerate() {
@@ -255,14 +249,13 @@ fn draw_springs(
         };
         let rows = picture.springs(place);
         for row in rows.clone() {
-            let sign = if subsystem.enabled {
-                spring_sign(picture.signs, *spring, row - rows.start + number as i32)
-            } else {
-                Some(picture.signs.ticks[1])
+            let at = row - rows.start + number as i32;
+            let sign = match (subsystem.enabled, spring.has_spring()) {
+                (true, true) => spring_sign(picture.signs, at),
+                (true, false) => damper_sign(picture.signs, at),
+                (false, _) => picture.signs.ticks[1],
             };
-            if let Some(sign) = sign {
-                board.sign_if_free([place, row], sign, style);
-            }
+            board.sign_if_free([place, row], sign, style);
         }
         if picture.rows.springs > 1 {
             let last = rows.end - 1;

@@ -1,7 +1,8 @@
 //! The supports: a wall, a hinge, springs, dampers and masses along w as signs, and all of it as text.
 
-use super::{Focus, Picture, named_motions, spring_sign};
-use crate::model::{BeamMotion, Restraint, Spring, Support, SupportId};
+use super::{Focus, Picture, damper_sign, named_motions, spring_sign};
+use crate::model::{BeamMotion, Restraint, Support, SupportId};
+use crate::tui::sketch::Signs;
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK};
 
 /// The column of a support, and the step from there into the beam; to the right between the ends.
@@ -65,23 +66,21 @@ fn draw_springs(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
     let (column, inward) = side(picture, id);
     let style = picture.style(true, picture.focus == Focus::Support(id));
     let elastic = id.support(picture.model)[BeamMotion::W].elastic();
-    let both = Spring::from(elastic);
-    let parallel = elastic.stiffness > 0.0 && elastic.damping > 0.0;
-    let damper = Spring {
-        stiffness: 0.0,
-        ..both
-    };
-    let beside = (column + inward, damper);
-    let all = std::iter::once((column, both)).chain(parallel.then_some(beside));
-    for (column, spring) in all {
+    let (has_spring, has_damper) = (elastic.spring.has_spring(), elastic.spring.has_damper());
+    let beside = if has_spring { inward } else { 0 };
+    let mut draw = |column, sign: fn(&Signs, i32) -> char| {
         let rows = picture.springs(column);
         for row in rows.clone() {
-            if let Some(sign) = spring_sign(picture.signs, spring, row - rows.start) {
-                board.sign([column, row], sign, style);
-            }
+            board.sign([column, row], sign(picture.signs, row - rows.start), style);
         }
+    };
+    if has_spring {
+        draw(column, spring_sign);
     }
-    if elastic.stiffness > 0.0 || elastic.damping > 0.0 {
+    if has_damper {
+        draw(column + beside, damper_sign);
+    }
+    if elastic.spring.acts() {
         let columns = [column - 1, column + 1];
         draw_ground(picture, board, columns, picture.rows.below_springs());
     }
@@ -153,8 +152,8 @@ pub(super) fn keys(picture: &Picture<'_>) -> Vec<String> {
     let all: Vec<_> = SupportId::all(picture.model).map(along_w).collect();
     let with = |sign: char, word: &str, some: bool| some.then(|| format!("{sign} {word}"));
     let [spring, damper, mass] = [
-        all.iter().any(|of| of.stiffness > 0.0),
-        all.iter().any(|of| of.damping > 0.0),
+        all.iter().any(|of| of.spring.has_spring()),
+        all.iter().any(|of| of.spring.has_damper()),
         all.iter().any(|of| of.inertia > 0.0),
     ];
     let at = if picture.model.supports.inner.is_empty() {

@@ -209,10 +209,12 @@ fn a_span_far_off_the_axis_is_joined_to_it() {
 
 fn elastic(stiffness: f64, damping: f64, inertia: f64) -> Restraint {
     Restraint::Elastic(Elastic {
-        stiffness,
-        damping,
+        spring: Spring {
+            stiffness,
+            damping,
+            ..Spring::default()
+        },
         inertia,
-        loss_factor: 0.0,
     })
 }
 
@@ -248,20 +250,20 @@ fn an_end_shows_what_holds_it() {
     let mut support = Support::FREE;
     support[BeamMotion::Psi] = Restraint::Fixed;
     // Without w there is no sign, but the text names the support.
-    let held = left_end(support);
+    let held = left_end(support.clone());
     assert_eq!(held, ["", "   ═════════", "", "", "  psi held", ""]);
     support[BeamMotion::W] = elastic(1e6, 0.0, 0.0);
-    let sprung = left_end(support);
+    let sprung = left_end(support.clone());
     assert_eq!(sprung[2..], ["   ╱", "   ╲", "  ▔▔▔", "  psi held"]);
     support[BeamMotion::W] = elastic(1e6, 2.0, 3.0);
-    let damped = left_end(support);
+    let damped = left_end(support.clone());
     assert_eq!(damped[2..], ["  ■╱╫", "   ╲│", "  ▔▔▔", "  psi held"]);
     support[BeamMotion::W] = elastic(0.0, 2.0, 0.0);
-    let damper = left_end(support);
+    let damper = left_end(support.clone());
     assert_eq!(damper[2..], ["   ╫", "   │", "  ▔▔▔", "  psi held"]);
     // A mass alone is not connected to the ground.
     support[BeamMotion::W] = elastic(0.0, 0.0, 3.0);
-    let mass = left_end(support);
+    let mass = left_end(support.clone());
     assert_eq!(mass[2..], ["  ■", "", "  psi held", "  w sprung"]);
 }
 

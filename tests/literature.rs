@@ -2,7 +2,7 @@
 //!
 //! A case gives a model and either printed numbers, with the tolerance that the printed digits allow, or the name of a
 //! frequency equation, which is solved here by code that shares only the model with the solver. In both, the list is
-//! compared as a whole, so a mode too many or too few fails. A source's sentences without numbers are tested elsewhere,
+//! compared as a whole, so a mode or a load of buckling too many or too few fails. A source's sentences without numbers are tested elsewhere,
 //! in the tests that its file names. The table of the guide (`src/guide/validation.md`) is made here, one row per
 //! source, and a test holds it equal.
 
@@ -82,13 +82,18 @@ fn side_by_side(
     to: f64,
     (least, most): (f64, f64),
 ) -> Outcome {
-    let all = modes::undamped(&checked(model), to, &AtomicBool::new(false))
-        .unwrap()
-        .unwrap();
+    let all = match unit {
+        Unit::Newton => modes::buckling_factors(&checked(model), to, usize::MAX),
+        Unit::Hertz | Unit::RadianPerSecond | Unit::Beta | Unit::BetaL | Unit::BetaLSquared => {
+            modes::undamped(&checked(model), to, &AtomicBool::new(false))
+                .unwrap()
+                .unwrap()
+        }
+    };
     let ours: Vec<f64> = all
         .into_iter()
-        .filter(|&hertz| hertz > 0.0)
-        .map(|hertz| unit.of_hertz(hertz, model))
+        .filter(|&found| found > 0.0)
+        .map(|found| unit.of_hertz(found, model))
         .collect();
     let mut outcome = Outcome::default();
     if ours.len() != expected.len() || expected.is_empty() {

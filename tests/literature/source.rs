@@ -91,6 +91,9 @@ pub enum Unit {
     BetaL,
     #[serde(rename = "(beta L)^2")]
     BetaLSquared,
+    /// Loads of buckling, of a model under 1 N of compression.
+    #[serde(rename = "N")]
+    Newton,
 }
 
 /// A sentence of the source, and the test that checks it.
@@ -136,10 +139,11 @@ impl Unit {
             Self::Beta => "1/m",
             Self::BetaL => "beta L",
             Self::BetaLSquared => "(beta L)^2",
+            Self::Newton => "N",
         }
     }
 
-    /// A frequency in Hz in this unit; beta is the wave number of bending along y.
+    /// A frequency in Hz in this unit, a load as it is; beta is the wave number of bending along y.
     pub fn of_hertz(self, hertz: f64, model: &Model) -> f64 {
         let omega = std::f64::consts::TAU * hertz;
         let (beam, section) = (&model.beam, &model.beam.section);
@@ -147,7 +151,7 @@ impl Unit {
             / (beam.material.density * section.area))
             .sqrt();
         match self {
-            Self::Hertz => hertz,
+            Self::Hertz | Self::Newton => hertz,
             Self::RadianPerSecond => omega,
             Self::Beta => (omega / speed).sqrt(),
             Self::BetaL => (omega / speed).sqrt() * beam.length,

@@ -53,9 +53,8 @@ fn assert_same(found: &[f64], expected: &[f64], within: f64) {
     }
 }
 
-/// Literature: Koplow, Bhattacharyya & Mann, Journal of Sound and Vibration 295 (2006) 214-225, free aluminium beam with a
-/// step; their analysis prints 292.44, 1181.3 and 1804.1 Hz, quoted at second hand. More digits are those of a Ritz
-/// method. Bending across and twist are made too stiff to be in the list.
+/// Expected: a Ritz method, whose digits are those of Koplow, Bhattacharyya & Mann 2006 (among the cases of the literature)
+/// and more. A free aluminium beam with a step; bending across and twist are made too stiff to be in the list.
 #[test]
 fn a_free_beam_with_a_step() {
     let section = |depth: f64| {
@@ -78,11 +77,7 @@ fn a_free_beam_with_a_step() {
     let model = with_spans(model, spans);
     let found = all(&model, 1900.0);
     assert_eq!(found.iter().filter(|hertz| **hertz == 0.0).count(), 5);
-    let printed = [(292.44, 2e-5), (1181.3, 5e-5), (1804.1, 3e-5)];
-    assert_eq!(found.len(), 5 + printed.len(), "{found:?}");
-    for (found, (printed, tolerance)) in found[5..].iter().zip(printed) {
-        assert_close(*found, printed, tolerance);
-    }
+    assert_eq!(found.len(), 8, "{found:?}");
     assert_modes(&model, &[292.443_786, 1_181.319_924, 1_804.087_158]);
 }
 

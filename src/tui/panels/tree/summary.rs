@@ -3,11 +3,22 @@
 use std::f64::consts::PI;
 
 use crate::model::{
-    Group, Material, Model, Section, Subsystem, SupportId, UniformPart, Unit, counted,
+    Group, Material, MaxwellBranch, Model, Section, Subsystem, SupportId, UniformPart, Unit,
+    counted,
 };
 use crate::tui::keys::{CurvesCommand, KeyMap, ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
+
+fn branch(branch: &MaxwellBranch) -> String {
+    let most = branch.stiffness / branch.damping / (2.0 * PI);
+    if most.is_finite() {
+        let most = Unit::HERTZ.format(most);
+        format!("a spring and a damper in series: most loss at {most}, stiff above, soft below")
+    } else {
+        "a spring and a damper in series".to_owned()
+    }
+}
 
 /// The details of a row that is not a parameter, one line per fact.
 pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
@@ -44,6 +55,10 @@ pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Group::Forces => enabled_of(model.forces.iter().map(|one| one.enabled), keys),
         Group::Responses => enabled_of(model.responses.iter().map(|one| one.enabled), keys),
         Group::Subsystem(i) => subsystem(&model.subsystems[i]),
+        Group::Branch(spring, i) => spring
+            .branches(model)
+            .get(i)
+            .map_or_else(String::new, branch),
         Group::Force(_) | Group::Response(_) => tree::value(model, node),
         Group::Sweep => counted(model.sweep.points, "frequency", "frequencies"),
         Group::Studies | Group::Study(_) => {

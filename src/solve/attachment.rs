@@ -54,16 +54,6 @@ impl Attachment {
         }
     }
 
-    /// h, m.
-    pub(super) fn half_difference_of_arms(&self) -> f64 {
-        0.5 * (self.arm_right - self.arm_left)
-    }
-
-    /// l, m.
-    pub(super) fn half_sum_of_arms(&self) -> f64 {
-        0.5 * (self.arm_right + self.arm_left)
-    }
-
     /// Whether theta has neither inertia nor a spring or damper.
     pub(super) fn is_never_turned(&self) -> bool {
         let turns = |spring: Spring, arm: f64| {

@@ -10,6 +10,7 @@ use super::number::{Arithmetic, Real, part};
 use super::product::ScaledProduct;
 use super::reflection::{Amplitudes, Reflection, entry, reach};
 use super::waves::Waves;
+use crate::model::Spring;
 use crate::solve::attachment::{Attachment, UNKNOWNS};
 use crate::solve::linear::ZERO;
 
@@ -97,6 +98,12 @@ pub(super) fn stretches_without<A: Arithmetic>(
     out
 }
 
+/// The stiffness of a spring with its damper, N/m.
+#[inline(always)]
+pub(super) fn stiffness<A: Arithmetic>(omega: Complex<A>, spring: &Spring) -> Complex<A> {
+    omega.damped_stiffness(spring.complex_stiffness(), spring.damping)
+}
+
 /// The springs, the mass and the arms of a subsystem.
 #[derive(Debug, Clone, Copy)]
 struct Springs<A> {
@@ -106,7 +113,9 @@ struct Springs<A> {
     /// 1 / (omega^2 m).
     by_mass: Complex<A>,
     /// h and l.
-    arms: [f64; 2],
+    arms: [Real<A>; 2],
+    /// The size of the longer one.
+    longest: Real<A>,
     /// omega^2 J.
     inertia: Complex<A>,
     /// The stiffness that scales theta to a force, N/rad.
@@ -119,24 +128,22 @@ impl<A: Arithmetic> Springs<A> {
     #[inline(always)]
     fn new(omega: Complex<A>, attachment: &Attachment) -> Self {
         let square = omega * omega;
-        let (left, right) = (attachment.z_left, attachment.z_right);
-        let (of_left, of_right) = (left.complex_stiffness(), right.complex_stiffness());
-        let sum = omega.damped_stiffness(of_left + of_right, left.damping + right.damping);
-        let arms = [
-            attachment.half_difference_of_arms(),
-            attachment.half_sum_of_arms(),
-        ];
+        // Sum and difference in the kernel's numbers: rounded on their own, they would not belong to the same springs.
+        let left = stiffness(omega, &attachment.z_left);
+        let right = stiffness(omega, &attachment.z_right);
+        let sum = left + right;
+        let half_left = Real::splat(0.5 * attachment.arm_left);
+        let half_right = Real::splat(0.5 * attachment.arm_right);
+        let arms = [half_right - half_left, half_right + half_left];
         let longest = arms[0].abs().max(arms[1].abs());
-        let torque = sum.size() * Real::splat(longest);
+        let torque = sum.size() * longest;
         Self {
-            y: omega.damped_stiffness(
-                attachment.spring_y.complex_stiffness(),
-                attachment.spring_y.damping,
-            ),
+            y: stiffness(omega, &attachment.spring_y),
             sum,
-            difference: omega.damped_stiffness(of_right - of_left, right.damping - left.damping),
+            difference: right - left,
             by_mass: square.scaled(Real::splat(attachment.mass)).inverse(),
             arms,
+            longest,
             inertia: square.scaled(Real::splat(attachment.inertia)),
             to_force: Real::ZERO.where_less(torque, torque, Real::ONE),
             is_idle: attachment.is_never_turned(),
@@ -390,7 +397,7 @@ fn system<A: Arithmetic>(
         a[CHANNELS][CHANNELS] = Complex::ONE;
         return (a, scale);
     }
-    let arms = [Real::splat(springs.arms[0]), Real::splat(springs.arms[1])];
+    let arms = springs.arms;
     let (sum, difference) = (springs.sum, springs.difference);
     let to_angle = Real::ONE / springs.to_force;
     let pulled = [
@@ -399,12 +406,8 @@ fn system<A: Arithmetic>(
     ];
     a[1][CHANNELS] = pulled[0].scaled(scale[1] * to_angle);
     a[2][CHANNELS] = pulled[1].scaled(scale[2] * to_angle);
-    let longest = springs.arms[0].abs().max(springs.arms[1].abs());
     let inertia = springs.inertia.scaled(to_angle);
-    scale[CHANNELS] = inertia
-        .size()
-        .max(Real::splat(longest))
-        .inverse_power_of_two();
+    scale[CHANNELS] = inertia.size().max(springs.longest).inverse_power_of_two();
     a[CHANNELS][1] = Complex::from_real(arms[0] * scale[CHANNELS]);
     a[CHANNELS][2] = Complex::from_real(arms[1] * scale[CHANNELS]);
     a[CHANNELS][CHANNELS] = inertia.scaled(scale[CHANNELS]);

@@ -2,7 +2,8 @@
 //!
 //! Side by side in one run, each the shortest of several times: the exact solver and the independent methods; the
 //! processor's peak of independent fused multiply-adds, with the vectors that the kernel uses, and the kernel's share
-//! of it; the time with each instruction set, that is, the benefit of the `unsafe` in `src/solve/kernel/vectors.rs`;
+//! of it; the time with each instruction set, that is, the benefit of the `unsafe` in `src/solve/kernel/vectors.rs`; the time
+//! at low frequencies;
 //! the growth of the time with the number of subsystems; the cost of an edit of each kind compared with a model with
 //! one subsystem, and the size of the cache for it.
 
@@ -38,6 +39,7 @@ fn main() {
     alone.install(|| {
         against_the_peak();
         by_instructions();
+        low_frequencies();
         growth();
         edits();
     });
@@ -254,6 +256,24 @@ fn by_instructions() {
             print!(" {:9.3}", time * 1e6);
         }
         println!();
+    }
+}
+
+/// Far below the first resonance, in numbers of twice the digits.
+fn low_frequencies() {
+    println!("\nOne core, us a frequency from 0.1 to 0.5 Hz:");
+    for (name, model, points) in [
+        ("fig05a", preset("fig05a"), 200),
+        ("1,000 subsystems", with_subsystems(1000), 8),
+    ] {
+        let all = frequencies(&Sweep {
+            from: 0.1,
+            to: 0.5,
+            points,
+            spacing: Spacing::Linear,
+        });
+        let time = shortest(5, || sweep(&checked(&model), &all, &NEVER)) / points as f64;
+        println!("{name:28} {:9.1}", time * 1e6);
     }
 }
 

@@ -54,21 +54,11 @@ impl Attachment {
         }
     }
 
-    /// h, m.
-    pub(super) fn half_difference_of_arms(&self) -> f64 {
-        0.5 * (self.arm_right - self.arm_left)
-    }
-
-    /// l, m.
-    pub(super) fn half_sum_of_arms(&self) -> f64 {
-        0.5 * (self.arm_right + self.arm_left)
-    }
-
     /// Its springs, those as one that stretch alike.
     pub(super) fn distinct_springs(&self) -> Vec<Spring> {
         let (across, left, right) = (&self.spring_y, &self.z_left, &self.z_right);
         let mut all = vec![across.clone()];
-        if self.half_sum_of_arms() == 0.0 && self.mount_y == 0.0 {
+        if self.arm_right == -self.arm_left && self.mount_y == 0.0 {
             all.push(left.in_parallel(right));
         } else {
             all.extend([left.clone(), right.clone()]);

@@ -47,7 +47,7 @@ mod beam_matrices;
 mod beam_state;
 mod cancelled;
 pub mod compare;
-mod energy;
+mod error_free;
 pub(crate) mod extrema;
 pub mod fem;
 mod kernel;

@@ -2,6 +2,7 @@
 
 use num_complex::Complex64;
 
+use super::beam_state::BeamState;
 use super::plan::Plan;
 use super::waves::{Amplitudes, Waves};
 
@@ -32,6 +33,20 @@ pub(super) struct Solution {
     pub(super) spans: Vec<SpanWaves>,
     /// The state of the subsystem at each station; zero for stations without one.
     pub(super) masses: Vec<MassSolution>,
+}
+
+/// The complete solution as states.
+#[derive(Debug)]
+pub(super) struct States {
+    /// Motions and internal forces just inside the left and the right end of the span left of each station, and last of the
+    /// span up to the right end.
+    pub(super) ends: Vec<[BeamState; 2]>,
+    /// The state of the subsystem at each station; zero for stations without one.
+    pub(super) masses: Vec<MassSolution>,
+    /// What the loss factor of the material dissipates in a radian, twice, N m.
+    pub(super) dissipation: f64,
+    /// What the foundation dissipates in a radian along w, psi and v, twice, N m.
+    pub(super) on_foundation: [f64; 3],
 }
 
 impl Solution {

@@ -12,7 +12,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::Cancelled;
-use super::kernel::{MOST_LANES, Prepared, SideBatch, Solver, Source, Substructure};
+use super::kernel::{MOST_LANES, Prepared, SideBatch, Solver, Source, Substructure, low_limit};
 use super::plan::{Event, Output, Plan};
 use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
 use super::waves::BeamConstants;
@@ -206,8 +206,11 @@ fn from_sides(
 fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
     let Part { left, right } = part;
     let has_energy = known.wants_energy || !plan.wants_energy;
+    // The sides of a low frequency have twice the digits.
+    let same_numbers = low_limit(known) == low_limit(plan);
     common(known, plan).is_some_and(|common| {
         has_energy
+            && same_numbers
             && common.left >= left
             && common.right >= right
             && left + right <= plan.stations.len()

@@ -103,14 +103,6 @@ pub(super) struct Waves {
     pub(super) all_coupled: bool,
 }
 
-/// One of the four coupled waves: h = kappa^2 and its shape.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct CoupledWave {
-    pub(super) h: Complex64,
-    pub(super) w: Complex64,
-    pub(super) psi: Complex64,
-}
-
 /// Six wave amplitudes.
 pub(super) type Amplitudes = [Complex64; 6];
 
@@ -143,14 +135,14 @@ impl Waves {
     }
 }
 
-/// The four roots `h = kappa^2` of the state equation and their shapes: two evanescent, two travelling.
+/// The four roots `h = kappa^2` of the state equation: two evanescent, two travelling.
 ///
 /// The equation is `(E Iy h^2 - a)(E G0 h^2 - G J h - b) = d^2` with `a = omega^2 rho A`, `b = omega^2 rho I_0` and
 /// `d = omega^2 rho A z_c` (Chen & Liu 2022, Eq. 21, before it is multiplied out). With `h_w = sqrt(a / E Iy)` and
 /// `E G0 h^2 - G J h - b = (E G0 h - tau)(h + t)` its roots come in two pairs near those of the uncoupled beam:
 /// `(h - h_w)(E G0 h - tau) = d^2 / (E Iy (h + h_w)(h + t))`, and with `h = -x`
 /// `(x - h_w)(x - t) = d^2 / (E Iy (x + h_w)(E G0 x + tau))`. Each right-hand side varies slowly: see [`pair`].
-pub(super) fn coupled_waves(beam: &BeamConstants, omega: Complex64) -> [CoupledWave; 4] {
+pub(super) fn coupled_roots(beam: &BeamConstants, omega: Complex64) -> [Complex64; 4] {
     let square = omega * omega;
     let (a, b, d) = (
         square * beam.mass,
@@ -165,57 +157,18 @@ pub(super) fn coupled_waves(beam: &BeamConstants, omega: Complex64) -> [CoupledW
     let travelling = pair(h_w, t, Complex64::ONE, |x| {
         coupling / ((x + h_w) * (beam.warping * x + tau))
     });
-    let wave = |root: Root, sign: f64, other: Complex64| {
-        let bending = beam.bending_w * root.from_bending * (root.value + h_w);
-        let torsion = root.from_torsion * other;
-        coupled_wave(beam, [a, b], sign * root.value, [bending, torsion])
-    };
-    let waves = [
-        wave(evanescent[0], 1.0, evanescent[0].value + t),
-        wave(evanescent[1], 1.0, evanescent[1].value + t),
-        wave(
-            travelling[0],
-            -1.0,
-            beam.warping * travelling[0].value + tau,
-        ),
-        wave(
-            travelling[1],
-            -1.0,
-            beam.warping * travelling[1].value + tau,
-        ),
-    ];
-    if beam.without_warping() || are_right(beam, [a, b, d], &waves) {
-        waves
+    let roots = [evanescent[0], evanescent[1], -travelling[0], -travelling[1]];
+    if beam.without_warping() || are_right(beam, [a, b, d], &roots) {
+        roots
     } else {
         let starts = [tau / beam.warping, h_w, -t, -h_w];
         separated(beam, [a, b, d], starts)
     }
 }
 
-/// A wave with the residuals of its two equations of motion, bending and torsion, without coupling.
-fn coupled_wave(
-    beam: &BeamConstants,
-    [a, b]: [Complex64; 2],
-    h: Complex64,
-    [bending, torsion]: [Complex64; 2],
-) -> CoupledWave {
-    let (w, psi) = shape(
-        bending / a,
-        torsion / b,
-        beam.coupling / beam.mass,
-        beam.coupling / beam.polar,
-    );
-    let norm = (w.norm_sqr() + beam.radius * beam.radius * psi.norm_sqr()).sqrt();
-    CoupledWave {
-        h,
-        w: w / norm,
-        psi: psi / norm,
-    }
-}
-
-/// Whether four waves are four roots: at complex omega, where two roots of different pairs are close, both iterations
+/// Whether four numbers are four roots: at complex omega, where two roots of different pairs are close, both iterations
 /// may converge to the same one, or to none.
-fn are_right(beam: &BeamConstants, [a, b, d]: [Complex64; 3], waves: &[CoupledWave; 4]) -> bool {
+fn are_right(beam: &BeamConstants, [a, b, d]: [Complex64; 3], roots: &[Complex64; 4]) -> bool {
     const ROUNDING: f64 = 1e-13;
     const SAME: f64 = 1e-6;
     let is_root = |h: Complex64| {
@@ -229,18 +182,18 @@ fn are_right(beam: &BeamConstants, [a, b, d]: [Complex64; 3], waves: &[CoupledWa
         size(residual) <= ROUNDING * terms
     };
     (0..4).all(|index| {
-        let h = waves[index].h;
-        let mut others = waves[..index].iter();
-        is_root(h) && others.all(|other| size(other.h - h) > SAME * size(h))
+        let h = roots[index];
+        let mut others = roots[..index].iter();
+        is_root(h) && others.all(|other| size(other - h) > SAME * size(h))
     })
 }
 
-/// All four waves together by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344) on the product form.
+/// All four roots together by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344) on the product form.
 fn separated(
     beam: &BeamConstants,
     [a, b, d]: [Complex64; 3],
     starts: [Complex64; 4],
-) -> [CoupledWave; 4] {
+) -> [Complex64; 4] {
     const MOST_STEPS: usize = 60;
     let parts = |h: Complex64| {
         let bending = beam.bending_w * h * h - a;
@@ -270,32 +223,7 @@ fn separated(
             break;
         }
     }
-    roots.map(|h| coupled_wave(beam, [a, b], h, parts(h)))
-}
-
-/// The shape (W, Psi) from bending W = d Psi or d W = torsion Psi, each row divided by its inertia term; the row
-/// whose coefficient is larger. Without coupling the wave is bending or torsion alone.
-fn shape(
-    bending: Complex64,
-    torsion: Complex64,
-    d_over_a: f64,
-    d_over_b: f64,
-) -> (Complex64, Complex64) {
-    if bending.norm_sqr() >= torsion.norm_sqr() {
-        (d_over_a.into(), bending)
-    } else {
-        (torsion, d_over_b.into())
-    }
-}
-
-/// A root of a pair, with its distances from the two uncoupled roots: these carry the shape without cancellation.
-#[derive(Debug, Clone, Copy)]
-struct Root {
-    value: Complex64,
-    /// value - `h_w`.
-    from_bending: Complex64,
-    /// gamma value - tau.
-    from_torsion: Complex64,
+    roots
 }
 
 /// Solves `(h - h_w)(gamma h - tau) = g(h)` for its two roots by secant steps on h -> root of the quadratic with fixed
@@ -305,37 +233,20 @@ fn pair(
     tau: Complex64,
     gamma: Complex64,
     g: impl Fn(Complex64) -> Complex64,
-) -> [Root; 2] {
+) -> [Complex64; 2] {
     let half = 0.5 * (tau - gamma * h_w);
     let larger = |g: Complex64| larger_sum(half, gamma * g);
     let torsion = |h: Complex64| {
         let g = g(h);
-        let from_bending = larger(g) / gamma;
-        let from_torsion = g / from_bending;
-        Root {
-            value: (tau + from_torsion) / gamma,
-            from_bending,
-            from_torsion,
-        }
+        (tau + gamma * g / larger(g)) / gamma
     };
     let bending = |h: Complex64| {
         let g = g(h);
-        let denominator = larger(g);
-        let from_bending = -g / denominator;
-        let from_torsion = -denominator;
-        Root {
-            value: h_w + from_bending,
-            from_bending,
-            from_torsion,
-        }
+        h_w - g / larger(g)
     };
     let first = if gamma == ZERO {
-        // The warping wave decays at once; its shape follows from the limit.
-        Root {
-            value: Complex64::ONE,
-            from_bending: Complex64::ONE,
-            from_torsion: ZERO,
-        }
+        // The warping wave decays at once.
+        Complex64::ONE
     } else {
         settle(tau / gamma, torsion)
     };
@@ -355,19 +266,19 @@ fn larger_sum(half: Complex64, square: Complex64) -> Complex64 {
 }
 
 /// The fixed point of `step` by secant iteration from `start`.
-fn settle(start: Complex64, step: impl Fn(Complex64) -> Root) -> Root {
+fn settle(start: Complex64, step: impl Fn(Complex64) -> Complex64) -> Complex64 {
     const MOST_STEPS: usize = 60;
     let mut last = (start, step(start));
-    let mut h = last.1.value;
+    let mut h = last.1;
     let mut root = step(h);
     for _ in 0..MOST_STEPS {
-        let residual = root.value - h;
+        let residual = root - h;
         if residual.norm() <= 2.0 * f64::EPSILON * h.norm() {
             break;
         }
-        let change = residual - (last.1.value - last.0);
+        let change = residual - (last.1 - last.0);
         let next = if change == ZERO {
-            root.value
+            root
         } else {
             h - residual * (h - last.0) / change
         };
@@ -428,9 +339,10 @@ mod tests {
     fn assert_equations_hold(beam: &BeamConstants, hertz: f64) {
         let omega = std::f64::consts::TAU * hertz;
         let square = omega * omega;
-        let waves = coupled_waves(beam, omega.into());
-        let first = usize::from(beam.without_warping());
-        for CoupledWave { h, w, psi } in &waves[first..] {
+        let waves = crate::solve::kernel::waves(beam, omega.into());
+        for wave in usize::from(beam.without_warping())..4 {
+            let h = waves.kappa[wave] * waves.kappa[wave];
+            let [w, psi] = [0, 1].map(|row| waves.displacement[row][wave]);
             let terms_w = [
                 beam.bending_w * h * h * w,
                 -square * beam.mass * w,

@@ -4,6 +4,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 use num_complex::Complex64;
 
+use super::double_double::DoubleDouble;
 use super::number::{Arithmetic, MOST_LANES, Real};
 use crate::model::Spring;
 
@@ -33,6 +34,15 @@ impl<A: Arithmetic> Complex<A> {
         Self {
             re: Real::splat(value.re),
             im: Real::splat(value.im),
+        }
+    }
+
+    /// A number that is the same at all frequencies, rounded to this arithmetic.
+    #[inline(always)]
+    pub(super) fn of(value: Complex<DoubleDouble>) -> Self {
+        Self {
+            re: Real::of(value.re),
+            im: Real::of(value.im),
         }
     }
 

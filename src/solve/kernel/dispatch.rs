@@ -1,9 +1,13 @@
-//! Selection of the instruction set of the kernel at run time.
+//! Selection of the instruction set of the kernel at run time, and of its numbers for each frequency.
+
+use std::ops::Range;
+use std::slice::Iter;
 
 use num_complex::Complex64;
 
 use super::complex::Complex;
-use super::number::{Arithmetic, part};
+use super::double_double::DoubleDouble;
+use super::number::{Arithmetic, MOST_LANES, part};
 use super::portable::Portable;
 use super::recursion::{Prepared, Room};
 use super::substructure::{Sides, Substructure};
@@ -44,7 +48,14 @@ impl Instructions {
 
 /// A workspace for one thread, with its instruction set.
 #[derive(Debug)]
-pub(in crate::solve) enum Solver {
+pub(in crate::solve) struct Solver {
+    vectors: Vectors,
+    low: Bench<DoubleDouble>,
+}
+
+/// The workspace for all frequencies but low ones.
+#[derive(Debug)]
+enum Vectors {
     #[cfg(target_arch = "x86_64")]
     Avx512(Bench<Avx512>),
     #[cfg(target_arch = "x86_64")]
@@ -52,25 +63,30 @@ pub(in crate::solve) enum Solver {
     Portable(Bench<Portable>),
 }
 
-/// The sides of a part of the beam, in the arithmetic that solved them.
+/// The sides of a part of the beam at up to [`MOST_LANES`] consecutive frequencies, for each group that is solved at once.
 #[derive(Debug, Clone)]
-pub(in crate::solve) enum SideBatch {
+pub(in crate::solve) struct SideBatch(Vec<GroupSides>);
+
+/// The sides of a group, in the arithmetic that solved them.
+#[derive(Debug, Clone)]
+pub(in crate::solve) enum GroupSides {
     #[cfg(target_arch = "x86_64")]
     Avx512(Box<Sides<Avx512>>),
     #[cfg(target_arch = "x86_64")]
     Avx2(Box<Sides<Avx2>>),
     Portable(Box<Sides<Portable>>),
+    DoubleDouble(Box<Sides<DoubleDouble>>),
 }
 
-/// The same expression for each variant of an enum.
+/// The same expression for each variant of [`Vectors`].
 macro_rules! for_each {
     ($value:expr, $name:ident => $do:expr) => {
         match $value {
             #[cfg(target_arch = "x86_64")]
-            Self::Avx512($name) => $do,
+            Vectors::Avx512($name) => $do,
             #[cfg(target_arch = "x86_64")]
-            Self::Avx2($name) => $do,
-            Self::Portable($name) => $do,
+            Vectors::Avx2($name) => $do,
+            Vectors::Portable($name) => $do,
         }
     };
 }
@@ -105,12 +121,16 @@ impl Solver {
             Instructions::available().contains(&instructions),
             "the processor has not these instructions"
         );
-        match instructions {
+        let vectors = match instructions {
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => Self::Avx512(Bench::default()),
+            Instructions::Avx512 => Vectors::Avx512(Bench::default()),
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => Self::Avx2(Bench::default()),
-            Instructions::Portable => Self::Portable(Bench::default()),
+            Instructions::Avx2 => Vectors::Avx2(Bench::default()),
+            Instructions::Portable => Vectors::Portable(Bench::default()),
+        };
+        Self {
+            vectors,
+            low: Bench::default(),
         }
     }
 
@@ -121,7 +141,13 @@ impl Solver {
         omegas: &[Complex64],
         out: &mut [&mut [Complex64]],
     ) {
-        for_each!(self, bench => bench.solve(prepared, omegas, out));
+        for (run, is_low) in runs(prepared, omegas, 0..omegas.len()) {
+            if is_low {
+                self.low.solve(prepared, (omegas, run), out);
+            } else {
+                for_each!(&mut self.vectors, bench => bench.solve(prepared, (omegas, run), out));
+            }
+        }
     }
 
     /// Writes the characteristic function of a plan without loads at some angular frequencies, rad/s.
@@ -131,25 +157,39 @@ impl Solver {
         omegas: &[Complex64],
         out: &mut [Magnified],
     ) {
-        for_each!(self, bench => bench.characteristic(prepared, omegas, out));
+        for_each!(&mut self.vectors, bench => bench.characteristic(prepared, omegas, out));
     }
 
-    /// The sides of a part of the beam at some angular frequencies, rad/s, for each group that is solved at once.
+    /// The sides of a part of the beam at some angular frequencies, rad/s.
     pub(in crate::solve) fn keep(
         &mut self,
         substructure: &Substructure,
         omegas: &[Complex64],
     ) -> Vec<SideBatch> {
-        match self {
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx512(bench) => bench.keep(substructure, omegas, SideBatch::Avx512),
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx2(bench) => bench.keep(substructure, omegas, SideBatch::Avx2),
-            Self::Portable(bench) => bench.keep(substructure, omegas, SideBatch::Portable),
-        }
+        let batches = batches(omegas.len());
+        let keep = |batch| SideBatch(self.keep_batch(substructure, omegas, batch));
+        batches.map(keep).collect()
     }
 
-    /// [`Self::solve`] with cached sides, from the frequency with the index `first`, which begins a group.
+    fn keep_batch(
+        &mut self,
+        substructure: &Substructure,
+        omegas: &[Complex64],
+        batch: Range<usize>,
+    ) -> Vec<GroupSides> {
+        let mut kept = Vec::new();
+        for (run, is_low) in runs(&substructure.prepared, omegas, batch) {
+            let omegas = &omegas[run];
+            if is_low {
+                self.low.keep(substructure, omegas, &mut kept);
+            } else {
+                for_each!(&mut self.vectors, bench => bench.keep(substructure, omegas, &mut kept));
+            }
+        }
+        kept
+    }
+
+    /// [`Self::solve`] with cached sides, from the frequency with the index `first`, which begins a batch.
     pub(in crate::solve) fn solve_substructure(
         &mut self,
         substructure: &Substructure,
@@ -157,30 +197,80 @@ impl Solver {
         omegas: &[Complex64],
         out: &mut [&mut [Complex64]],
     ) {
-        for_each!(self, bench => bench.solve_substructure(substructure, (kept, first), omegas, out));
+        let kept = &kept[first / MOST_LANES..];
+        for (batch, SideBatch(sides)) in batches(omegas.len()).zip(kept) {
+            let mut sides = sides.iter();
+            for (run, is_low) in runs(&substructure.prepared, omegas, batch) {
+                let at = (omegas, run);
+                if is_low {
+                    self.low
+                        .solve_substructure(substructure, &mut sides, at, out);
+                } else {
+                    for_each!(&mut self.vectors, bench => {
+                        bench.solve_substructure(substructure, &mut sides, at, out);
+                    });
+                }
+            }
+        }
     }
+}
+
+/// The indices of frequencies whose sides are cached together.
+fn batches(count: usize) -> impl Iterator<Item = Range<usize>> {
+    let starts = (0..count).step_by(MOST_LANES);
+    starts.map(move |start| start..count.min(start + MOST_LANES))
+}
+
+/// The indices of consecutive frequencies among some that are all low or all not, and which.
+fn runs(
+    prepared: &Prepared,
+    omegas: &[Complex64],
+    among: Range<usize>,
+) -> impl Iterator<Item = (Range<usize>, bool)> {
+    let mut end = among.start;
+    let is_low = |omega: &Complex64| prepared.is_low(*omega);
+    let runs = omegas[among].chunk_by(move |a, b| is_low(a) == is_low(b));
+    runs.map(move |run| {
+        let start = end;
+        end += run.len();
+        (start..end, is_low(&run[0]))
+    })
 }
 
 impl SideBatch {
     /// Bytes that it takes.
     pub(in crate::solve) fn bytes(&self) -> usize {
-        for_each!(self, sides => sides.bytes())
+        let bytes = |sides: &GroupSides| match sides {
+            #[cfg(target_arch = "x86_64")]
+            GroupSides::Avx512(sides) => sides.bytes(),
+            #[cfg(target_arch = "x86_64")]
+            GroupSides::Avx2(sides) => sides.bytes(),
+            GroupSides::Portable(sides) => sides.bytes(),
+            GroupSides::DoubleDouble(sides) => sides.bytes(),
+        };
+        self.0.iter().map(bytes).sum()
     }
 }
 
 /// An arithmetic whose sides can be cached.
 pub(in crate::solve) trait Kind: Arithmetic {
+    /// To cache the sides of a group.
+    fn kept(sides: Box<Sides<Self>>) -> GroupSides;
+
     /// The sides, if this arithmetic solved them.
-    fn sides(kept: &SideBatch) -> Option<&Sides<Self>>;
+    fn sides(kept: &GroupSides) -> Option<&Sides<Self>>;
 }
 
 macro_rules! kind {
     ($name:ident) => {
         impl Kind for $name {
-            fn sides(kept: &SideBatch) -> Option<&Sides<Self>> {
+            fn kept(sides: Box<Sides<Self>>) -> GroupSides {
+                GroupSides::$name(sides)
+            }
+
+            fn sides(kept: &GroupSides) -> Option<&Sides<Self>> {
                 match kept {
-                    SideBatch::$name(sides) => Some(sides),
-                    #[cfg(target_arch = "x86_64")]
+                    GroupSides::$name(sides) => Some(sides),
                     _ => None,
                 }
             }
@@ -193,25 +283,31 @@ kind!(Avx512);
 #[cfg(target_arch = "x86_64")]
 kind!(Avx2);
 kind!(Portable);
+kind!(DoubleDouble);
+
+/// Angular frequencies, rad/s, and the indices of those to solve.
+type Among<'a> = (&'a [Complex64], Range<usize>);
 
 impl<A: Kind> Bench<A> {
-    fn solve(&mut self, prepared: &Prepared, omegas: &[Complex64], out: &mut [&mut [Complex64]]) {
-        A::outlined(Solve((self, prepared, omegas, out)));
+    fn solve(&mut self, prepared: &Prepared, at: Among<'_>, out: &mut [&mut [Complex64]]) {
+        A::outlined(Solve((self, prepared, at, out)));
     }
 
     #[inline(always)]
     fn solve_inlined(
-        (this, prepared, omegas, out): (
+        (this, prepared, (omegas, run), out): (
             &mut Self,
             &Prepared,
-            &[Complex64],
+            Among<'_>,
             &mut [&mut [Complex64]],
         ),
     ) {
         this.out.resize(prepared.plan.outputs.len(), Complex::ZERO);
-        for (index, group) in omegas.chunks(A::LANES).enumerate() {
-            this.room.solve(prepared, filled_up(group), &mut this.out);
-            this.write(index, out);
+        for start in run.clone().step_by(A::LANES) {
+            let group = start..run.end.min(start + A::LANES);
+            let omega = filled_up(&omegas[group.clone()]);
+            this.room.solve(prepared, omega, &mut this.out);
+            this.write(group, out);
         }
     }
 
@@ -232,11 +328,12 @@ impl<A: Kind> Bench<A> {
         &mut self,
         substructure: &Substructure,
         omegas: &[Complex64],
-        kind: fn(Box<Sides<A>>) -> SideBatch,
-    ) -> Vec<SideBatch> {
-        let groups = omegas.chunks(A::LANES);
-        let sides = |group| Box::new(A::outlined(Keep((&mut self.room, substructure, group))));
-        groups.map(sides).map(kind).collect()
+        kept: &mut Vec<GroupSides>,
+    ) {
+        for group in omegas.chunks(A::LANES) {
+            let sides = A::outlined(Keep((&mut self.room, substructure, group)));
+            kept.push(A::kept(Box::new(sides)));
+        }
     }
 
     #[inline(always)]
@@ -249,46 +346,43 @@ impl<A: Kind> Bench<A> {
     fn solve_substructure(
         &mut self,
         substructure: &Substructure,
-        (kept, first): (&[SideBatch], usize),
-        omegas: &[Complex64],
+        kept: &mut Iter<'_, GroupSides>,
+        at: Among<'_>,
         out: &mut [&mut [Complex64]],
     ) {
-        let kept = &kept[first / A::LANES..];
-        A::outlined(SolveSubstructure((self, substructure, kept, omegas, out)));
+        A::outlined(SolveSubstructure((self, substructure, kept, at, out)));
     }
 
     #[inline(always)]
     fn solve_substructure_inlined(
-        (this, substructure, kept, omegas, out): (
+        (this, substructure, kept, (omegas, run), out): (
             &mut Self,
             &Substructure,
-            &[SideBatch],
-            &[Complex64],
+            &mut Iter<'_, GroupSides>,
+            Among<'_>,
             &mut [&mut [Complex64]],
         ),
     ) {
         let plan = &substructure.prepared.plan;
         this.out.resize(plan.outputs.len(), Complex::ZERO);
-        let groups = omegas.chunks(A::LANES).zip(kept);
-        for (index, (group, kept)) in groups.enumerate() {
+        for start in run.clone().step_by(A::LANES) {
+            let group = start..run.end.min(start + A::LANES);
             // Cannot happen: the processor does not change while the program runs.
-            let Some(sides) = A::sides(kept) else {
-                return this.solve(&substructure.prepared, omegas, out);
+            let Some(sides) = kept.next().and_then(A::sides) else {
+                return this.solve(&substructure.prepared, (omegas, start..run.end), out);
             };
-            let omega = filled_up(group);
+            let omega = filled_up(&omegas[group.clone()]);
             this.room
                 .solve_substructure(substructure, sides, omega, &mut this.out);
-            this.write(index, out);
+            this.write(group, out);
         }
     }
 
     /// Writes the outputs of a group.
     #[inline(always)]
-    fn write(&self, group: usize, out: &mut [&mut [Complex64]]) {
-        let first = group * A::LANES;
+    fn write(&self, group: Range<usize>, out: &mut [&mut [Complex64]]) {
         for (value, column) in self.out.iter().zip(out) {
-            let end = column.len().min(first + A::LANES);
-            value.write(&mut column[first..end]);
+            value.write(&mut column[group.clone()]);
         }
     }
 }
@@ -302,7 +396,7 @@ fn filled_up<A: Arithmetic>(omegas: &[Complex64]) -> Complex<A> {
 
 part!(
     Solve ['a, 'b, A: Kind] ['a, 'b, A]
-    (&'a mut Bench<A>, &'a Prepared, &'a [Complex64], &'a mut [&'b mut [Complex64]]) -> (),
+    (&'a mut Bench<A>, &'a Prepared, Among<'a>, &'a mut [&'b mut [Complex64]]) -> (),
     Bench::solve_inlined
 );
 
@@ -313,8 +407,8 @@ part!(
 );
 
 part!(
-    SolveSubstructure ['a, 'b, A: Kind] ['a, 'b, A]
-    (&'a mut Bench<A>, &'a Substructure, &'a [SideBatch], &'a [Complex64], &'a mut [&'b mut [Complex64]]) -> (),
+    SolveSubstructure ['a, 'b, 'c, A: Kind] ['a, 'b, 'c, A]
+    (&'a mut Bench<A>, &'a Substructure, &'a mut Iter<'c, GroupSides>, Among<'a>, &'a mut [&'b mut [Complex64]]) -> (),
     Bench::solve_substructure_inlined
 );
 

@@ -1,10 +1,10 @@
-//! Exponential, sine and cosine of several frequencies at once.
+//! Exponential, sine and cosine of several frequencies at once, and decay and phase of waves.
 //!
 //! Reduction and polynomials as in FDLIBM (Sun Microsystems, 1993: `__ieee754_rem_pio2`, `__kernel_sin`,
 //! `__kernel_cos`) and the Taylor series of the exponential; within 2 units of the last place.
 
 use super::complex::Complex;
-use super::number::{Arithmetic, MOST_LANES, Real, part};
+use super::number::{Arithmetic, Bits, MOST_LANES, Real, part};
 
 /// Adding it rounds a number below 2^51 to an integer in the low bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
@@ -17,22 +17,29 @@ const LARGEST: f64 = 1e6;
 pub(super) fn decay<A: Arithmetic>(re: Real<A>, im: Real<A>) -> Complex<A> {
     // Without damping a wave either decays or propagates.
     if !Real::ZERO.is_less_somewhere(im.abs()) {
-        return Complex::from_real(exp(-re));
+        return Complex::from_real((-re).exp());
     }
-    let (sin, cos) = sin_cos(im);
+    let (sin, cos) = im.sin_cos();
     if !Real::ZERO.is_less_somewhere(re.abs()) {
         return Complex { re: cos, im: -sin };
     }
-    let size = exp(-re);
+    let size = (-re).exp();
     Complex {
         re: size * cos,
         im: -(size * sin),
     }
 }
 
+/// A product rounded to an integer: in the low bits, and as a number.
+#[inline(always)]
+pub(super) fn rounded_product<A: Bits>(x: Real<A>, by: f64) -> (Real<A>, Real<A>) {
+    let rounded = x.multiply_add(Real::splat(by), Real::splat(ROUNDER));
+    (rounded, rounded - Real::splat(ROUNDER))
+}
+
 /// The exponential of a number at or below 700; 0 below -700.
 #[inline(always)]
-pub(super) fn exp<A: Arithmetic>(x: Real<A>) -> Real<A> {
+pub(super) fn exp<A: Bits>(x: Real<A>) -> Real<A> {
     const SMALLEST: f64 = -700.0;
     const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
     const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
@@ -54,8 +61,7 @@ pub(super) fn exp<A: Arithmetic>(x: Real<A>) -> Real<A> {
         1.0,
     ];
     let clamped = x.max(Real::splat(SMALLEST));
-    let rounded = clamped.multiply_add(Real::splat(std::f64::consts::LOG2_E), Real::splat(ROUNDER));
-    let n = rounded - Real::splat(ROUNDER);
+    let (rounded, n) = rounded_product(clamped, std::f64::consts::LOG2_E);
     let r = n.subtract_product(
         Real::splat(LN_2_LOW),
         n.subtract_product(Real::splat(LN_2_HIGH), clamped),
@@ -73,7 +79,7 @@ pub(super) fn exp<A: Arithmetic>(x: Real<A>) -> Real<A> {
 
 /// Sine and cosine.
 #[inline(always)]
-pub(super) fn sin_cos<A: Arithmetic>(x: Real<A>) -> (Real<A>, Real<A>) {
+pub(super) fn sin_cos<A: Bits>(x: Real<A>) -> (Real<A>, Real<A>) {
     if Real::splat(LARGEST).is_less_somewhere(x.abs()) {
         return A::outlined(Far((x,)));
     }
@@ -82,7 +88,7 @@ pub(super) fn sin_cos<A: Arithmetic>(x: Real<A>) -> (Real<A>, Real<A>) {
 
 /// For numbers of any size.
 #[inline(always)]
-fn far_sin_cos<A: Arithmetic>((x,): (Real<A>,)) -> (Real<A>, Real<A>) {
+fn far_sin_cos<A: Bits>((x,): (Real<A>,)) -> (Real<A>, Real<A>) {
     let (sin, cos) = reduced_sin_cos(x);
     let (x, mut sin, mut cos) = (x.lanes(), sin.lanes(), cos.lanes());
     for lane in 0..MOST_LANES {
@@ -94,18 +100,14 @@ fn far_sin_cos<A: Arithmetic>((x,): (Real<A>,)) -> (Real<A>, Real<A>) {
 }
 
 #[inline(always)]
-fn reduced_sin_cos<A: Arithmetic>(x: Real<A>) -> (Real<A>, Real<A>) {
+fn reduced_sin_cos<A: Bits>(x: Real<A>) -> (Real<A>, Real<A>) {
     /// pi/2 in three parts of 33 bits, whose products with small integers are exact.
     const QUARTERS: [f64; 3] = [
         1.570_796_326_734_125_6,
         6.077_100_506_303_966e-11,
         2.022_266_248_711_166_5e-21,
     ];
-    let rounded = x.multiply_add(
-        Real::splat(std::f64::consts::FRAC_2_PI),
-        Real::splat(ROUNDER),
-    );
-    let n = rounded - Real::splat(ROUNDER);
+    let (rounded, n) = rounded_product(x, std::f64::consts::FRAC_2_PI);
     let mut r = x;
     for part in QUARTERS {
         r = n.subtract_product(Real::splat(part), r);
@@ -162,7 +164,7 @@ fn cosine<A: Arithmetic>(r: Real<A>) -> Real<A> {
 }
 
 part!(
-    Far [A: Arithmetic] [A]
+    Far [A: Bits] [A]
     (Real<A>,) -> (Real<A>, Real<A>),
     far_sin_cos
 );

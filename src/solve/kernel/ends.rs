@@ -11,9 +11,9 @@ use super::waves::Waves;
 use crate::model::{BeamMotion, Point, Restraint};
 use crate::solve::plan::Held;
 
-/// Below this margin of the last system its solution is only rounding: the model has no damping and is at a resonance
-/// to the last digits of the frequency.
-const RESONANT: f64 = 1e-14;
+/// Below a margin of the last system of so many roundings its solution is only rounding: the model has no damping and is
+/// at a resonance to the last digits of the frequency.
+const RESONANT: f64 = 90.0;
 
 /// The motions of an end: first w and psi, which may be coupled, then v.
 const MOTIONS: [BeamMotion; 6] = [
@@ -377,10 +377,11 @@ fn finite_where_resolved<A: Arithmetic>(
     terms: &[Real<A>; 6],
 ) -> Amplitudes<A> {
     let margin = solve_with_margin(of_b, right, terms);
+    let resonant = Real::splat(RESONANT * A::ROUNDING);
     let infinite = Complex::from_real(Real::splat(f64::INFINITY));
     let mut out = [Complex::ZERO; 6];
     for wave in 0..6 {
-        out[wave] = Complex::where_less(margin, Real::splat(RESONANT), infinite, right[wave][0]);
+        out[wave] = Complex::where_less(margin, resonant, infinite, right[wave][0]);
     }
     out
 }

@@ -1,17 +1,24 @@
-//! The vibration energy `E_V` at several frequencies at once; the equations are those of [`crate::solve::energy`].
+//! Quadratic integrals along the beam, such as the vibration energy `E_V`, at several frequencies at once, in closed form.
+//!
+//! With amplitudes a at a span's left end and b at its right end the displacements are
+//! `Q (exp(-kappa x) a + exp(-kappa (l - x)) b)`, so that an integral is the Hermitian form
+//! `a* A a + b* A b + 2 Re(a* C b)` with the weighted shapes and the integrals of the exponentials over the span.
 //!
 //! Both forms of a span are Hermitian: 21 of their 36 entries are stored, 13 if shapes that move w and psi do not
 //! overlap with those that move v. The exponentials are products of those of the span.
 
-use super::complex::Complex;
+use super::complex::{Complex, Matrix};
 use super::number::{Arithmetic, Real, part};
 use super::reflection::Amplitudes;
 use super::waves::Waves;
-use crate::solve::energy::LEAST_SHARE;
-use crate::solve::waves::BeamConstants;
+use crate::solve::beam_matrices::Symmetric;
+use crate::solve::waves::{BeamConstants, WARPING_WAVE};
 
 /// The most pairs of waves that overlap.
 pub(super) const PAIRS: usize = 21;
+
+/// The factor of the product of each pair of waves that overlap.
+pub(super) type Weights<A> = [Complex<A>; PAIRS];
 
 /// The first wave, and the one after the last, of each block of waves that overlap.
 #[inline(always)]
@@ -37,26 +44,23 @@ pub(super) struct Sum<A> {
     terms: Real<A>,
 }
 
-/// The form of `E_V` of each pair of waves that overlap.
+/// The values of a form of the motions (w, psi, v), without an entry for w and v, for each pair of waves that overlap.
 #[inline(always)]
-pub(super) fn weights<A: Arithmetic>(
-    waves: &Waves<A>,
-    beam: &BeamConstants,
-) -> [Complex<A>; PAIRS] {
+pub(super) fn weights<A: Arithmetic>(waves: &Waves<A>, form: &Symmetric<f64>) -> Weights<A> {
     if waves.all_coupled {
-        weights_of::<A, true>(waves, beam)
+        weights_of::<A, true>(waves, form)
     } else {
-        weights_of::<A, false>(waves, beam)
+        weights_of::<A, false>(waves, form)
     }
 }
 
 #[inline(always)]
 fn weights_of<A: Arithmetic, const ALL: bool>(
     waves: &Waves<A>,
-    beam: &BeamConstants,
-) -> [Complex<A>; PAIRS] {
-    let form = beam.vibration();
-    let [mass, polar, w_psi, psi_v] = [form.w, form.psi, form.w_psi, form.psi_v].map(Real::splat);
+    form: &Symmetric<f64>,
+) -> Weights<A> {
+    let [of_w, polar, of_v] = [form.w, form.psi, form.v].map(Real::splat);
+    let [w_psi, psi_v] = [form.w_psi, form.psi_v].map(Real::splat);
     let has_offset = form.w_psi != 0.0 || form.psi_v != 0.0;
     let [w, psi, v] = &waves.displacement;
     let mut out = [Complex::ZERO; PAIRS];
@@ -68,11 +72,11 @@ fn weights_of<A: Arithmetic, const ALL: bool>(
                 if ALL || from == 0 {
                     weight = w[i]
                         .conj_times(w[j])
-                        .scaled(mass)
+                        .scaled(of_w)
                         .plus_scaled(polar, psi[i].conj_times(psi[j]));
                 }
                 if ALL || from == 4 {
-                    weight = weight.plus_scaled(mass, v[i].conj_times(v[j]));
+                    weight = weight.plus_scaled(of_v, v[i].conj_times(v[j]));
                 }
                 if has_offset {
                     let across = w[i].conj_times(psi[j]) + psi[i].conj_times(w[j]);
@@ -87,6 +91,65 @@ fn weights_of<A: Arithmetic, const ALL: bool>(
     out
 }
 
+/// The form of what the loss factor of the material dissipates in a radian, twice: `int s'^H Im(D) s' + Im(G J) |psi'|^2 -
+/// g^H Im(F) g dx` with the shear forces g; for waves in the same direction, and in opposite ones.
+///
+/// Source: the strain energy of Vlasov's beam, as Chen & Liu 2022, Section 2, derive their equations from; an axial force
+/// dissipates nothing.
+pub(super) fn dissipation<A: Arithmetic>(
+    waves: &Waves<A>,
+    beam: &BeamConstants,
+) -> [Weights<A>; 2] {
+    let matrices = &beam.matrices;
+    let (bending, tension) = (matrices.bending.rows(), matrices.tension.rows());
+    let compliance = [matrices.shear.w, matrices.shear.psi, matrices.shear.v];
+    // The derivatives of the rotations, and the shear forces.
+    let mut curvature: Matrix<A, 3, 6> = [[Complex::ZERO; 6]; 3];
+    let mut shear = waves.force;
+    for row in 0..3 {
+        for wave in 0..6 {
+            let kappa = waves.kappa[wave];
+            curvature[row][wave] = kappa * waves.slope[row][wave];
+            for motion in 0..3 {
+                let pulled = Complex::splat(tension[row][motion]) * kappa;
+                shear[row][wave] =
+                    shear[row][wave].plus_product(pulled, waves.displacement[motion][wave]);
+            }
+        }
+    }
+    let blocks = if waves.all_coupled {
+        blocks::<true>()
+    } else {
+        blocks::<false>()
+    };
+    let mut out = [[Complex::ZERO; PAIRS]; 2];
+    let mut pair = 0;
+    for &(from, to) in blocks {
+        for i in from..to {
+            for j in i..to {
+                let twist = waves.slope[1][i].conj_times(waves.slope[1][j]);
+                let mut odd = twist.scaled(Real::splat(beam.torsion.im));
+                let mut even = Complex::ZERO;
+                for row in 0..3 {
+                    let sheared = shear[row][i].conj_times(shear[row][j]);
+                    odd = odd.plus_scaled(Real::splat(-compliance[row].im), sheared);
+                    for motion in 0..3 {
+                        let bent = curvature[row][i].conj_times(curvature[motion][j]);
+                        even = even.plus_scaled(Real::splat(bending[row][motion].im), bent);
+                    }
+                }
+                // A wave that decays at once stores no energy.
+                if !(waves.without_warping && i == WARPING_WAVE) {
+                    // The rate of twist and the shear of a left-going wave have the opposite sign.
+                    (out[0][pair], out[1][pair]) = (even + odd, even - odd);
+                }
+                pair += 1;
+            }
+        }
+    }
+    out
+}
+
 impl<A: Arithmetic> Form<A> {
     pub(super) const NONE: Self = Self {
         same: [Complex::ZERO; PAIRS],
@@ -94,10 +157,10 @@ impl<A: Arithmetic> Form<A> {
         all_coupled: false,
     };
 
-    /// The form of spans of a length, m.
+    /// The form of spans of a length, m, with the weights of waves in the same direction and in opposite ones.
     pub(super) fn new(
         waves: &Waves<A>,
-        weights: &[Complex<A>; PAIRS],
+        weights: [&Weights<A>; 2],
         length: f64,
         decay: &Amplitudes<A>,
     ) -> Self {
@@ -110,7 +173,12 @@ impl<A: Arithmetic> Form<A> {
 
     #[inline(always)]
     fn new_inlined<const ALL: bool>(
-        (waves, weights, length, decay): (&Waves<A>, &[Complex<A>; PAIRS], f64, &Amplitudes<A>),
+        (waves, [of_same, of_against], length, decay): (
+            &Waves<A>,
+            [&Weights<A>; 2],
+            f64,
+            &Amplitudes<A>,
+        ),
     ) -> Self {
         let mut form = Self {
             all_coupled: ALL,
@@ -124,9 +192,9 @@ impl<A: Arithmetic> Form<A> {
                     let (at_left, at_right) = (decay[i].conj(), decay[j]);
                     let both = at_left * at_right;
                     form.same[pair] =
-                        weights[pair] * mean_difference(left + right, length, Complex::ONE, both);
+                        of_same[pair] * mean_difference(left + right, length, Complex::ONE, both);
                     form.against[pair] =
-                        weights[pair] * mean_difference(left - right, length, at_right, at_left);
+                        of_against[pair] * mean_difference(left - right, length, at_right, at_left);
                     pair += 1;
                 }
             }
@@ -200,7 +268,9 @@ impl<A: Arithmetic> Sum<A> {
     /// The sum; NaN if its terms cancel to their last digits.
     #[inline(always)]
     pub(super) fn resolved(self) -> Real<A> {
-        let least = self.terms * Real::splat(LEAST_SHARE);
+        /// The smallest accepted ratio to the magnitudes of the terms, in roundings.
+        const LEAST: f64 = 1e4;
+        let least = self.terms * Real::splat(LEAST * A::ROUNDING);
         self.value
             .where_less(least, Real::splat(f64::NAN), self.value)
     }
@@ -228,10 +298,10 @@ fn mean_difference_inlined<A: Arithmetic>(
         return direct;
     }
     let along = z.scaled(Real::splat(length));
-    // 1 - z/2 (1 - z/3 (1 - ...)): after 16 terms the remainder is below 1e-18.
+    // 1 - z/2 (1 - z/3 (1 - ...)).
     let mut sum = Complex::ONE;
-    for k in (2..=17).rev() {
-        let part = along.scaled(Real::splat(1.0 / f64::from(k)));
+    for k in (2..=A::TERMS).rev() {
+        let part = along.scaled(Real::inverse_of(k));
         sum = Complex::ONE.minus_product(sum, part);
     }
     let series = first * sum.scaled(Real::splat(length));
@@ -240,7 +310,7 @@ fn mean_difference_inlined<A: Arithmetic>(
 
 part!(
     NewForm ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
-    (&'a Waves<A>, &'a [Complex<A>; PAIRS], f64, &'a Amplitudes<A>) -> Form<A>,
+    (&'a Waves<A>, [&'a Weights<A>; 2], f64, &'a Amplitudes<A>) -> Form<A>,
     Form::new_inlined::<ALL>
 );
 

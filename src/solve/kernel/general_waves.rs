@@ -16,6 +16,7 @@
 use num_complex::Complex64;
 
 use super::complex::{Complex, Matrix};
+use super::double_double::DoubleDouble;
 use super::number::{Arithmetic, Real, part};
 use super::waves::Waves;
 use crate::model::Point;
@@ -45,8 +46,8 @@ pub(super) struct GeneralConstants {
     is_bedded: bool,
     /// The motions that are coupled to another one.
     is_coupled: [bool; 3],
-    /// Cosine and sine of the angle between the axes.
-    axes: [f64; 2],
+    /// Cosine and sine of the angle between the axes, whose squares add up to 1 with twice the digits.
+    axes: [Real<DoubleDouble>; 2],
     /// Scales twist to displacement, m.
     radius: f64,
 }
@@ -92,13 +93,20 @@ impl GeneralConstants {
             foundation,
             foundation_damping,
             is_bedded: matrices.has_foundation(),
-            axes,
+            axes: normalised(axes),
             radius: (matrices.mass.psi / matrices.mass.w).sqrt(),
         }
     }
 }
 
-/// A matrix in the principal axes; an entry that is only the rounding of the rotation is 0.
+/// A direction of the length 1.
+fn normalised(direction: [f64; 2]) -> [Real<DoubleDouble>; 2] {
+    let [cosine, sine] = direction.map(Real::splat);
+    let length = cosine.multiply_add(cosine, sine * sine).sqrt();
+    [cosine / length, sine / length]
+}
+
+/// A matrix in the principal axes, exactly symmetric; an entry that is only the rounding of the rotation is 0.
 fn turned(of: &Symmetric<Complex64>, [cosine, sine]: [f64; 2]) -> [[Complex64; 3]; 3] {
     const ROUNDING: f64 = 4.0 * f64::EPSILON;
     let rows = of.rows();
@@ -118,7 +126,7 @@ fn turned(of: &Symmetric<Complex64>, [cosine, sine]: [f64; 2]) -> [[Complex64; 3
             sum
         }
     };
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)))
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i.min(j), i.max(j))))
 }
 
 /// Cosine and sine of the angle between y and the first principal axis; if all axes are principal, of the direction of
@@ -173,14 +181,18 @@ impl<'a, A: Arithmetic> Group<'a, A> {
             let r = square.scaled(Real::splat(constants.rotary[row]));
             for column in 0..3 {
                 // Of 1 + F C, and of F (omega^2 M - K).
-                let mut slope = if row == column { Complex64::ONE } else { ZERO };
+                let mut slope = if row == column {
+                    Complex::ONE
+                } else {
+                    Complex::ZERO
+                };
                 let mut sheared = Complex::ZERO;
                 for k in 0..3 {
-                    let compliance = constants.shear[row][k];
-                    slope += compliance * constants.tension[k][column];
-                    sheared = sheared.plus_product(Complex::splat(compliance), inertia[k][column]);
+                    let compliance = Complex::splat(constants.shear[row][k]);
+                    let tension = Complex::splat(constants.tension[k][column]);
+                    slope = slope.plus_product(compliance, tension);
+                    sheared = sheared.plus_product(compliance, inertia[k][column]);
                 }
-                let slope = Complex::splat(slope);
                 let tension = Complex::splat(constants.tension[row][column]);
                 of[2][row][column] = d * slope;
                 of[1][row][column] = (d * sheared).plus_product(r, slope) - tension;
@@ -338,8 +350,6 @@ fn settle<A: Arithmetic>((group, roots, first): (&Group<'_, A>, &mut [Complex<A>
 fn step<A: Arithmetic>(
     (group, moving, (first, wave)): (&Group<'_, A>, &mut [Moving<A>; 6], (usize, usize)),
 ) -> bool {
-    /// The fraction of h below which a step is the last, squared: the remainder is about its cube.
-    const NEAR: f64 = 1e-16;
     let Moving { h, last } = moving[wave];
     let [value, slope] = group.characteristic(h);
     let mut push = Complex::ZERO;
@@ -351,7 +361,8 @@ fn step<A: Arithmetic>(
     let divisor = slope.minus_product(value, push);
     let step = value * divisor.inverse();
     let step = Complex::where_less(Real::ZERO, divisor.norm_sqr(), step, Complex::ZERO);
-    let (size, near) = (step.norm_sqr(), h.norm_sqr() * Real::splat(NEAR));
+    // The remainder of a step is about its cube, relative to h: this one is the last if its square is only rounding.
+    let (size, near) = (step.norm_sqr(), h.norm_sqr() * Real::splat(A::ROUNDING));
     // Each frequency stops independently of its neighbours.
     moving[wave].h = Complex::where_less(near, last, h - step, h);
     moving[wave].last = near.where_less(last, size, last);
@@ -451,7 +462,7 @@ impl<A: Arithmetic> Waves<A> {
             (&mut this.force, forces),
             (&mut this.moment, moments),
         ] {
-            let [cosine, sine] = constants.axes.map(Real::splat);
+            let [cosine, sine] = constants.axes.map(Real::of);
             rows[0][column] = of[0].scaled(cosine).plus_scaled(-sine, of[2]);
             rows[1][column] = of[1];
             rows[2][column] = of[0].scaled(sine).plus_scaled(cosine, of[2]);

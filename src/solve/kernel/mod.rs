@@ -16,6 +16,10 @@
 //! `substructure` solves an edited part of the beam between cached sides. `characteristic` is the function whose zeros
 //! are the natural frequencies.
 //!
+//! Far below the first resonance the waves are nearly the same polynomials, and their sums lose digits: there (`low`) the
+//! numbers have twice the digits (`double_double`), in the same equations. So no constant may be rounded in two ways, and
+//! nothing between the frequency and the response to a double.
+//!
 //! Savings: reflections are symmetric; the radiation of a load needs no solution of a system; a subsystem is solved for
 //! its three stretches instead of six waves; unread intermediate results are not stored.
 
@@ -28,12 +32,14 @@ mod action;
 mod characteristic;
 mod complex;
 mod dispatch;
+mod double_double;
 mod elementary;
 mod ends;
 mod energy;
 mod general_waves;
 mod junction;
 mod linear;
+mod low;
 mod number;
 mod operation_count;
 mod portable;
@@ -51,6 +57,7 @@ mod waves;
 
 pub use dispatch::Instructions;
 pub(super) use dispatch::{SideBatch, Solver};
+pub(super) use low::low_limit;
 pub(super) use number::MOST_LANES;
 pub use operation_count::{Work, work};
 pub(super) use recursion::Prepared;

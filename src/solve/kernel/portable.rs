@@ -4,7 +4,11 @@
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
-use super::number::{Arithmetic, MOST_LANES, Part};
+use super::double_double::DoubleDouble;
+use super::elementary::{exp, sin_cos};
+use super::number::{
+    Arithmetic, Bits, EXPONENT, MOST_LANES, Part, Real, SIGN, TWICE_ONE, of_doubles,
+};
 
 /// The default arithmetic.
 pub(in crate::solve) type Portable = Array<Silent, 4>;
@@ -76,6 +80,8 @@ impl<N: Notes, const LANES: usize> Arithmetic for Array<N, LANES> {
     const ZERO: Self = Self::new([0.0; LANES]);
     const ONE: Self = Self::new([1.0; LANES]);
 
+    of_doubles!();
+
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Self::new([value; LANES])
@@ -103,6 +109,23 @@ impl<N: Notes, const LANES: usize> Arithmetic for Array<N, LANES> {
     by_lane!(multiply_add(a, b, c) multiply_add(a, b, c), N::operation());
     by_lane!(subtract_product(a, b, c) multiply_add(-a, b, c), N::operation());
     by_lane!(where_less(a, than, yes, no) if a < than { yes } else { no });
+
+    #[inline(always)]
+    fn is_less_somewhere(self, than: Self) -> bool {
+        let mut found = false;
+        for lane in 0..LANES {
+            found |= self.0[lane] < than.0[lane];
+        }
+        found
+    }
+
+    #[inline(never)]
+    fn outlined<P: Part>(part: P) -> P::Output {
+        part.run()
+    }
+}
+
+impl<N: Notes, const LANES: usize> Bits for Array<N, LANES> {
     by_lane!(where_signed(a, yes, no) if a.is_sign_negative() { yes } else { no });
     by_lane!(and(a, b) f64::from_bits(a.to_bits() & b.to_bits()));
     by_lane!(or(a, b) f64::from_bits(a.to_bits() | b.to_bits()));
@@ -117,19 +140,5 @@ impl<N: Notes, const LANES: usize> Arithmetic for Array<N, LANES> {
             out[lane] = f64::from_bits(self.0[lane].to_bits() << by);
         }
         Self::new(out)
-    }
-
-    #[inline(always)]
-    fn is_less_somewhere(self, than: Self) -> bool {
-        let mut found = false;
-        for lane in 0..LANES {
-            found |= self.0[lane] < than.0[lane];
-        }
-        found
-    }
-
-    #[inline(never)]
-    fn outlined<P: Part>(part: P) -> P::Output {
-        part.run()
     }
 }

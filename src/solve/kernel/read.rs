@@ -7,6 +7,8 @@ use super::station::CHANNELS;
 use super::waves::Waves;
 use crate::model::{BeamMotion, MassMotion, Measure};
 use crate::solve::attachment::Attachment;
+use crate::solve::beam_state::BeamState;
+use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Output};
 
 /// The requested part of a solution.
@@ -103,6 +105,36 @@ impl<A: Arithmetic> State<A> {
         sum
     }
 
+    /// An internal force: P (a - b), or M (a + b) for a moment.
+    #[inline(always)]
+    fn force(&self, waves: &Waves<A>, motion: BeamMotion) -> Complex<A> {
+        let row = motion as usize;
+        let mut sum = Complex::ZERO;
+        for wave in 0..6 {
+            let (a, b) = (self.a[wave], self.b[wave]);
+            sum = if row < 3 {
+                sum.plus_product(waves.force[row][wave], a - b)
+            } else {
+                sum.plus_product(waves.moment[row - 3][wave], a + b)
+            };
+        }
+        sum
+    }
+
+    /// Motions and internal forces of the beam at the first frequency; no bimoment if the section has no warping stiffness.
+    pub(super) fn beam(&self, waves: &Waves<A>) -> BeamState {
+        BeamState {
+            motion: BeamMotion::ALL.map(|motion| self.motion(waves, motion).lane(0)),
+            force: BeamMotion::ALL.map(|motion| {
+                if waves.without_warping && motion == BeamMotion::PsiSlope {
+                    ZERO
+                } else {
+                    self.force(waves, motion).lane(0)
+                }
+            }),
+        }
+    }
+
     /// The motion of the mass.
     ///
     /// Below the resonance of a mass on its springs the motion follows from the stretch, above it from the inertia: either
@@ -124,7 +156,6 @@ impl<A: Arithmetic> State<A> {
             };
             -(force * inertia.inverse())
         };
-        let spring = |spring: &crate::model::Spring| waves.omega.dynamic_stiffness(spring);
         // A fixed motion from the waves is only rounding.
         let [w_held, psi_held, v_held] = attachment.held;
         let unheld = |is_held: bool, motion| {
@@ -138,7 +169,7 @@ impl<A: Arithmetic> State<A> {
         match motion {
             MassMotion::Theta => self.theta,
             MassMotion::Y => {
-                let k = spring(&attachment.spring_y);
+                let k = waves.omega.dynamic_stiffness(&attachment.spring_y);
                 let mount = Real::splat(attachment.mount_z);
                 let moved = unheld(w_held, BeamMotion::W).plus_scaled(mount, psi());
                 Complex::where_less(
@@ -149,7 +180,8 @@ impl<A: Arithmetic> State<A> {
                 )
             }
             MassMotion::Z => {
-                let (left, right) = (spring(&attachment.z_left), spring(&attachment.z_right));
+                let left = waves.omega.dynamic_stiffness(&attachment.z_left);
+                let right = waves.omega.dynamic_stiffness(&attachment.z_right);
                 let mount = psi().scaled(Real::splat(attachment.mount_y));
                 let v = unheld(v_held, BeamMotion::V);
                 let half = Real::splat(0.5);

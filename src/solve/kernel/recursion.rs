@@ -2,11 +2,14 @@
 
 use std::ops::{Range, RangeInclusive};
 
+use num_complex::Complex64;
+
 use super::action::{Acting, Actions};
 use super::complex::Complex;
 use super::elementary::decay;
 use super::ends::{reflection, right_end};
-use super::energy::{Form, PAIRS, Sum, weights};
+use super::energy::{Form, Sum, Weights, weights};
+use super::low::low_limit;
 use super::number::{Arithmetic, Real, part};
 use super::read::{Part, State};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
@@ -27,6 +30,8 @@ pub(in crate::solve) struct Prepared {
     read: usize,
     /// Whether a support, a joint or a junction is between the ends.
     has_actions: bool,
+    /// The angular frequency, rad/s, below which doubles lose too many digits.
+    pub(super) low_limit: f64,
 }
 
 impl Prepared {
@@ -68,10 +73,16 @@ impl Prepared {
                 Event::Support(_) | Event::Joint(_) | Event::Junction(_) => true,
                 Event::Attachment(_) | Event::Load(_) | Event::Probe => false,
             }),
+            low_limit: low_limit(&plan),
             plan,
             reads,
             read,
         }
+    }
+
+    /// Whether an angular frequency, rad/s, needs numbers of twice the digits.
+    pub(super) fn is_low(&self, omega: Complex64) -> bool {
+        omega.norm_sqr() < self.low_limit * self.low_limit
     }
 
     /// The waves of a span, among those of each beam: that left of the station with its index.
@@ -119,7 +130,7 @@ pub(super) struct Room<A> {
     /// The energy of each kind of span, if requested.
     pub(super) forms: Vec<Form<A>>,
     /// The weights of the energy of each beam, where they are known.
-    weights: Vec<Option<[Complex<A>; PAIRS]>>,
+    weights: Vec<Option<Weights<A>>>,
     /// Whether a kind of span is prepared.
     is_prepared: Vec<bool>,
     /// The reflection of the left end, if the energy is requested.
@@ -268,10 +279,11 @@ impl<A: Arithmetic> Room<A> {
             set_decays(&all[beam], length, &mut self.decays[kind]);
             if plan.wants_energy {
                 if self.weights[beam].is_none() {
-                    self.weights[beam] = Some(weights(&all[beam], &plan.beams[beam]));
+                    self.weights[beam] = Some(weights(&all[beam], &plan.beams[beam].vibration()));
                 }
                 if let Some(weights) = &self.weights[beam] {
-                    self.forms[kind] = Form::new(&all[beam], weights, length, &self.decays[kind]);
+                    self.forms[kind] =
+                        Form::new(&all[beam], [weights; 2], length, &self.decays[kind]);
                 }
             }
         }

@@ -137,8 +137,8 @@ impl<A: Arithmetic> Pair<A> {
     /// A Newton step; returns whether any frequency needs another one.
     #[inline(always)]
     fn step(&self, sought: &mut Sought<A>) -> bool {
-        /// The fraction of u below which a step is the last, squared: the remainder is about its square.
-        const NEAR: f64 = 1e-18;
+        // The remainder of a step is about its square, relative to u: this one is the last if that is less than rounding.
+        let near = 0.01 * A::ROUNDING;
         let Sought { u, p, q, along, .. } = *sought;
         let h = sought.start.plus_product(along, u);
         let (bending, torsion) = (h + self.h_w, self.offset.plus_product(self.slope, h));
@@ -152,7 +152,7 @@ impl<A: Arithmetic> Pair<A> {
         let step = residual * change.inverse();
         // If nothing changes, the roots coincide without coupling.
         let step = Complex::where_less(Real::ZERO, change.norm_sqr(), step, Complex::ZERO);
-        let (size, near) = (step.norm_sqr(), u.norm_sqr() * Real::splat(NEAR));
+        let (size, near) = (step.norm_sqr(), u.norm_sqr() * Real::splat(near));
         // Each frequency stops independently of its neighbours.
         sought.u = Complex::where_less(near, sought.last, u - step, u);
         sought.last = near.where_less(sought.last, size, sought.last);

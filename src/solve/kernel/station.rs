@@ -106,7 +106,9 @@ struct Springs<A> {
     /// 1 / (omega^2 m).
     by_mass: Complex<A>,
     /// h and l.
-    arms: [f64; 2],
+    arms: [Real<A>; 2],
+    /// The size of the longer one.
+    longest: Real<A>,
     /// omega^2 J.
     inertia: Complex<A>,
     /// The stiffness that scales theta to a force, N/rad.
@@ -119,21 +121,22 @@ impl<A: Arithmetic> Springs<A> {
     #[inline(always)]
     fn new(omega: Complex<A>, attachment: &Attachment) -> Self {
         let square = omega * omega;
+        // Sum and difference in the kernel's numbers: rounded on their own, they would not belong to the same springs.
         let left = omega.dynamic_stiffness(&attachment.z_left);
         let right = omega.dynamic_stiffness(&attachment.z_right);
         let sum = left + right;
-        let arms = [
-            attachment.half_difference_of_arms(),
-            attachment.half_sum_of_arms(),
-        ];
+        let half_left = Real::splat(0.5 * attachment.arm_left);
+        let half_right = Real::splat(0.5 * attachment.arm_right);
+        let arms = [half_right - half_left, half_right + half_left];
         let longest = arms[0].abs().max(arms[1].abs());
-        let torque = sum.size() * Real::splat(longest);
+        let torque = sum.size() * longest;
         Self {
             y: omega.dynamic_stiffness(&attachment.spring_y),
             sum,
             difference: right - left,
             by_mass: square.scaled(Real::splat(attachment.mass)).inverse(),
             arms,
+            longest,
             inertia: square.scaled(Real::splat(attachment.inertia)),
             to_force: Real::ZERO.where_less(torque, torque, Real::ONE),
             is_idle: attachment.is_never_turned(),
@@ -387,7 +390,7 @@ fn system<A: Arithmetic>(
         a[CHANNELS][CHANNELS] = Complex::ONE;
         return (a, scale);
     }
-    let arms = [Real::splat(springs.arms[0]), Real::splat(springs.arms[1])];
+    let arms = springs.arms;
     let (sum, difference) = (springs.sum, springs.difference);
     let to_angle = Real::ONE / springs.to_force;
     let pulled = [
@@ -396,12 +399,8 @@ fn system<A: Arithmetic>(
     ];
     a[1][CHANNELS] = pulled[0].scaled(scale[1] * to_angle);
     a[2][CHANNELS] = pulled[1].scaled(scale[2] * to_angle);
-    let longest = springs.arms[0].abs().max(springs.arms[1].abs());
     let inertia = springs.inertia.scaled(to_angle);
-    scale[CHANNELS] = inertia
-        .size()
-        .max(Real::splat(longest))
-        .inverse_power_of_two();
+    scale[CHANNELS] = inertia.size().max(springs.longest).inverse_power_of_two();
     a[CHANNELS][1] = Complex::from_real(arms[0] * scale[CHANNELS]);
     a[CHANNELS][2] = Complex::from_real(arms[1] * scale[CHANNELS]);
     a[CHANNELS][CHANNELS] = inertia.scaled(scale[CHANNELS]);

@@ -8,7 +8,6 @@ use std::sync::atomic::AtomicBool;
 use num_complex::Complex64;
 
 use super::complex::Complex;
-use super::elementary::{exp, sin_cos};
 use super::linear::solve;
 use super::number::{Arithmetic, MOST_LANES, Real};
 use super::portable::Portable;
@@ -29,6 +28,7 @@ use crate::solve::plan::Plan;
 use crate::solve::sweep::{angular, frequencies};
 use crate::solve::waves::BeamConstants;
 
+mod low;
 mod spans;
 
 /// All responses at some frequencies, a row a frequency.
@@ -430,8 +430,8 @@ fn elementary_functions_are_right_by<A: Arithmetic>() {
         for _ in 0..500 {
             let all: [f64; MOST_LANES] =
                 std::array::from_fn(|_| scale * (2.0 * random.f64() - 1.0));
-            let (sin, cos) = sin_cos::<A>(Real::new(&all));
-            let exp = exp::<A>(Real::new(&all.map(|x| x.min(700.0))));
+            let (sin, cos) = Real::<A>::new(&all).sin_cos();
+            let exp = Real::<A>::new(&all.map(|x| x.min(700.0))).exp();
             let (sin, cos, exp) = (sin.lanes(), cos.lanes(), exp.lanes());
             for (lane, x) in all.into_iter().enumerate().take(A::LANES) {
                 assert!((sin[lane] - x.sin()).abs() < 4e-16, "sin {x}");

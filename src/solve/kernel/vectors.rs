@@ -20,7 +20,11 @@ use std::arch::x86_64::{
     _mm512_storeu_pd, _mm512_sub_epi64, _mm512_sub_pd, _mm512_xor_pd,
 };
 
-use super::number::{Arithmetic, MOST_LANES, Part};
+use super::double_double::DoubleDouble;
+use super::elementary::{exp, sin_cos};
+use super::number::{
+    Arithmetic, Bits, EXPONENT, MOST_LANES, Part, Real, SIGN, TWICE_ONE, of_doubles,
+};
 
 /// Vectors of 512 bits.
 #[derive(Debug, Clone, Copy)]
@@ -125,6 +129,7 @@ impl Arithmetic for Avx512 {
         _mm512_loadu_pd,
         _mm512_storeu_pd
     );
+    of_doubles!();
     instructions!(
         plus(other) _mm512_add_pd,
         minus(other) _mm512_sub_pd,
@@ -133,6 +138,25 @@ impl Arithmetic for Avx512 {
         square_root() _mm512_sqrt_pd,
         multiply_add(b, c) _mm512_fmadd_pd,
         subtract_product(b, c) _mm512_fnmadd_pd,
+    );
+    #[inline(always)]
+    fn where_less(self, than: Self, yes: Self, no: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe {
+            let is_less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, than.0);
+            _mm512_mask_blend_pd(is_less, no.0, yes.0)
+        })
+    }
+
+    #[inline(always)]
+    fn is_less_somewhere(self, than: Self) -> bool {
+        // SAFETY: as above.
+        unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, than.0) != 0 }
+    }
+}
+
+impl Bits for Avx512 {
+    instructions!(
         and(other) _mm512_and_pd,
         or(other) _mm512_or_pd,
         xor(other) _mm512_xor_pd,
@@ -144,27 +168,12 @@ impl Arithmetic for Avx512 {
     );
 
     #[inline(always)]
-    fn where_less(self, than: Self, yes: Self, no: Self) -> Self {
-        // SAFETY: as above.
-        Self(unsafe {
-            let is_less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, than.0);
-            _mm512_mask_blend_pd(is_less, no.0, yes.0)
-        })
-    }
-
-    #[inline(always)]
     fn where_signed(self, yes: Self, no: Self) -> Self {
         // SAFETY: as above.
         Self(unsafe {
             let is_signed = _mm512_movepi64_mask(_mm512_castpd_si512(self.0));
             _mm512_mask_blend_pd(is_signed, no.0, yes.0)
         })
-    }
-
-    #[inline(always)]
-    fn is_less_somewhere(self, than: Self) -> bool {
-        // SAFETY: as above.
-        unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, than.0) != 0 }
     }
 
     #[inline(always)]
@@ -186,6 +195,7 @@ impl Arithmetic for Avx2 {
         _mm256_loadu_pd,
         _mm256_storeu_pd
     );
+    of_doubles!();
     instructions!(
         plus(other) _mm256_add_pd,
         minus(other) _mm256_sub_pd,
@@ -194,6 +204,25 @@ impl Arithmetic for Avx2 {
         square_root() _mm256_sqrt_pd,
         multiply_add(b, c) _mm256_fmadd_pd,
         subtract_product(b, c) _mm256_fnmadd_pd,
+    );
+    #[inline(always)]
+    fn where_less(self, than: Self, yes: Self, no: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe {
+            let is_less = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, than.0);
+            _mm256_blendv_pd(no.0, yes.0, is_less)
+        })
+    }
+
+    #[inline(always)]
+    fn is_less_somewhere(self, than: Self) -> bool {
+        // SAFETY: as above.
+        unsafe { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(self.0, than.0)) != 0 }
+    }
+}
+
+impl Bits for Avx2 {
+    instructions!(
         and(other) _mm256_and_pd,
         or(other) _mm256_or_pd,
         xor(other) _mm256_xor_pd,
@@ -205,24 +234,9 @@ impl Arithmetic for Avx2 {
     );
 
     #[inline(always)]
-    fn where_less(self, than: Self, yes: Self, no: Self) -> Self {
-        // SAFETY: as above.
-        Self(unsafe {
-            let is_less = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, than.0);
-            _mm256_blendv_pd(no.0, yes.0, is_less)
-        })
-    }
-
-    #[inline(always)]
     fn where_signed(self, yes: Self, no: Self) -> Self {
         // SAFETY: as above.
         Self(unsafe { _mm256_blendv_pd(no.0, yes.0, self.0) })
-    }
-
-    #[inline(always)]
-    fn is_less_somewhere(self, than: Self) -> bool {
-        // SAFETY: as above.
-        unsafe { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(self.0, than.0)) != 0 }
     }
 
     #[inline(always)]

@@ -8,36 +8,47 @@
 use num_complex::Complex64;
 
 use super::complex::{Complex, Matrix};
+use super::double_double::DoubleDouble;
 use super::general_waves::GeneralConstants;
 use super::number::{Arithmetic, Real, part};
 use super::roots::{Pair, Root, roots};
 use crate::model::Point;
-use crate::solve::waves::{BeamConstants, WARPING_WAVE, coupled_waves};
+use crate::solve::waves::{BeamConstants, WARPING_WAVE, coupled_roots};
 
 /// The frequency-independent constants of the waves of a beam.
+///
+/// What follows from other numbers has twice their digits: at low frequencies any difference between two roundings of one
+/// quantity is amplified.
 #[derive(Debug, Clone)]
 pub(super) struct Constants {
     beam: BeamConstants,
     /// sqrt(rho A / E Iy), sqrt(rho A / E Iz).
-    bending: [Complex64; 2],
+    bending: [Complex<DoubleDouble>; 2],
+    /// 1 / E `I_y`.
+    inverse_bending: Complex<DoubleDouble>,
     /// 1 / (E `Gamma_0`); 0 if `Gamma_0` is 0.
-    inverse_warping: Complex64,
+    inverse_warping: Complex<DoubleDouble>,
+    /// 1 / rho A, 1 / rho `I_0`.
+    inverse_inertia: [Real<DoubleDouble>; 2],
     /// For a beam that is not the paper's.
     general: Option<Box<GeneralConstants>>,
 }
 
 impl Constants {
     pub(super) fn new(beam: &BeamConstants) -> Self {
-        let bending =
-            [beam.bending_w, beam.bending_v].map(|stiffness| (beam.mass / stiffness).sqrt());
+        let inverse = |stiffness: Complex64| Complex::splat(stiffness).inverse();
+        let mass = Real::splat(beam.mass);
+        let bending = [beam.bending_w, beam.bending_v];
         Self {
             beam: beam.clone(),
-            bending,
+            bending: bending.map(|stiffness| inverse(stiffness).scaled(mass).sqrt()),
+            inverse_bending: inverse(beam.bending_w),
             inverse_warping: if beam.without_warping() {
-                Complex64::ZERO
+                Complex::ZERO
             } else {
-                beam.warping.inv()
+                inverse(beam.warping)
             },
+            inverse_inertia: [beam.mass, beam.polar].map(|of| Real::ONE / Real::splat(of)),
             general: beam
                 .is_general
                 .then(|| Box::new(GeneralConstants::new(&beam.own, beam.offset))),
@@ -71,7 +82,7 @@ pub(super) struct Waves<A> {
 }
 
 /// A beam and the angular frequencies, rad/s.
-type At<'a, A> = (&'a BeamConstants, Complex<A>);
+type At<'a, A> = (&'a Constants, Complex<A>);
 
 /// A coupled wave: h = kappa^2 and its shape.
 #[derive(Debug, Clone, Copy)]
@@ -90,24 +101,63 @@ impl<A: Arithmetic> CoupledWave<A> {
 
     /// Becomes the wave of a root of a pair; the sign of a travelling wave's h is omitted.
     #[inline(always)]
-    fn set_shape((this, (beam, omega), pair, root): (&mut Self, At<'_, A>, &Pair<A>, &Root<A>)) {
+    fn set_shape(
+        (this, (constants, omega), pair, root): (&mut Self, At<'_, A>, &Pair<A>, &Root<A>),
+    ) {
+        let beam = &constants.beam;
         let other = pair.offset.plus_product(pair.slope, root.value);
         let bending = Complex::splat(beam.bending_w) * root.from_bending * (root.value + pair.h_w);
         let torsion = root.from_torsion * other;
+        *this = Self::new((constants, omega), root.value, [bending, torsion]);
+    }
+
+    /// With the residuals of the two equations of motion, bending and torsion, without coupling.
+    #[inline(always)]
+    fn new(
+        (constants, omega): At<'_, A>,
+        h: Complex<A>,
+        [bending, torsion]: [Complex<A>; 2],
+    ) -> Self {
+        let beam = &constants.beam;
         let inverse = (omega * omega).inverse();
+        let [by_mass, by_polar] = constants.inverse_inertia.map(Real::of);
+        let coupling = Real::splat(beam.coupling);
         let (w, psi) = shape(
-            bending * inverse.scaled(Real::splat(beam.mass.recip())),
-            torsion * inverse.scaled(Real::splat(beam.polar.recip())),
-            beam.coupling / beam.mass,
-            beam.coupling / beam.polar,
+            bending * inverse.scaled(by_mass),
+            torsion * inverse.scaled(by_polar),
+            coupling * by_mass,
+            coupling * by_polar,
         );
         let radius = Real::splat(beam.radius * beam.radius);
         let scale = Real::ONE / psi.norm_sqr().multiply_add(radius, w.norm_sqr()).sqrt();
-        *this = Self {
-            h: root.value,
+        Self {
+            h,
             w: w.scaled(scale),
             psi: psi.scaled(scale),
-        };
+        }
+    }
+
+    /// From a root that has the digits of a double, by Newton's steps on `(E Iy h^2 - a)(E G0 h^2 - G J h - b) = d^2`
+    /// ([`coupled_roots`]), which double them.
+    #[inline(always)]
+    fn near(constants: &Constants, omega: Complex<A>, mut h: Complex<A>) -> Self {
+        const STEPS: usize = 2;
+        let beam = &constants.beam;
+        let stiffnesses = [beam.bending_w, beam.warping, beam.torsion];
+        let [of_w, warping, torsion] = stiffnesses.map(Complex::splat);
+        let square = omega * omega;
+        let inertias = [beam.mass, beam.polar, beam.coupling];
+        let [a, b, d] = inertias.map(|inertia| square.scaled(Real::splat(inertia)));
+        for _ in 0..STEPS {
+            let (bent, warped) = (of_w * h, warping * h);
+            let residuals = [bent * h - a, (warped - torsion) * h - b];
+            let value = (residuals[0] * residuals[1]).minus_product(d, d);
+            let slope = (bent + bent) * residuals[1];
+            let slope = slope.plus_product(residuals[0], warped + warped - torsion);
+            h = h - value * slope.inverse();
+        }
+        let residuals = [of_w * h * h - a, (warping * h - torsion) * h - b];
+        Self::new((constants, omega), h, residuals)
     }
 }
 
@@ -116,14 +166,21 @@ impl<A: Arithmetic> CoupledWave<A> {
 fn recover<A: Arithmetic>(
     (waves, constants, omega, missed): (&mut [CoupledWave<A>; 4], &Constants, Complex<A>, Real<A>),
 ) {
-    let missed = missed.lanes();
-    for lane in (0..A::LANES).filter(|&lane| missed[lane] > 0.0) {
-        let found = coupled_waves(&constants.beam, omega.lane(lane));
-        for (wave, found) in waves.iter_mut().zip(found) {
-            wave.h.set_lane(lane, found.h);
-            wave.w.set_lane(lane, found.w);
-            wave.psi.set_lane(lane, found.psi);
+    let lanes = missed.lanes();
+    let mut roots = waves.map(|wave| wave.h);
+    for lane in (0..A::LANES).filter(|&lane| lanes[lane] > 0.0) {
+        let found = coupled_roots(&constants.beam, omega.lane(lane));
+        for (root, found) in roots.iter_mut().zip(found) {
+            root.set_lane(lane, found);
         }
+    }
+    for (wave, root) in waves.iter_mut().zip(roots) {
+        let found = CoupledWave::near(constants, omega, root);
+        *wave = CoupledWave {
+            h: Complex::where_less(Real::ZERO, missed, found.h, wave.h),
+            w: Complex::where_less(Real::ZERO, missed, found.w, wave.w),
+            psi: Complex::where_less(Real::ZERO, missed, found.psi, wave.psi),
+        };
     }
 }
 
@@ -210,19 +267,19 @@ impl<A: Arithmetic> Waves<A> {
             square.scaled(Real::splat(beam.polar)),
             square.scaled(Real::splat(beam.coupling)),
         );
-        let h_w = (Complex::splat(constants.bending[0]) * self.omega).in_right_half();
+        let h_w = (Complex::of(constants.bending[0]) * self.omega).in_right_half();
         let warping = Complex::splat(beam.warping);
         let torsion = Complex::splat(beam.torsion);
         let half = Real::splat(0.5);
         let discriminant = torsion * torsion + warping * b.scaled(Real::splat(4.0));
         let tau = (torsion + discriminant.sqrt()).scaled(half);
         let t = tau.inverse() * b;
-        let coupling = Complex::splat(beam.bending_w.inv()) * (d * d);
+        let coupling = Complex::of(constants.inverse_bending) * (d * d);
         let evanescent = Pair {
             h_w,
             tau,
             gamma: warping,
-            inverse_gamma: Complex::splat(constants.inverse_warping),
+            inverse_gamma: Complex::of(constants.inverse_warping),
             coupling,
             slope: Complex::ONE,
             offset: t,
@@ -241,7 +298,12 @@ impl<A: Arithmetic> Waves<A> {
         for (column, wave) in waves.iter_mut().enumerate() {
             let pair = column / 2;
             let root = &roots[pair][column % 2];
-            A::outlined(SetShape((wave, (beam, self.omega), &pairs[pair], root)));
+            A::outlined(SetShape((
+                wave,
+                (constants, self.omega),
+                &pairs[pair],
+                root,
+            )));
             if pair == 1 {
                 wave.h = -wave.h;
             }
@@ -319,7 +381,7 @@ impl<A: Arithmetic> Waves<A> {
 
     #[inline(always)]
     fn set_bending_v(&mut self, constants: &Constants) {
-        let h = (Complex::splat(constants.bending[1]) * self.omega).in_right_half();
+        let h = (Complex::of(constants.bending[1]) * self.omega).in_right_half();
         let evanescent = h.sqrt();
         // The root of -h, decaying or right-going.
         let travelling = Complex {
@@ -349,12 +411,12 @@ impl<A: Arithmetic> Waves<A> {
 fn shape<A: Arithmetic>(
     bending: Complex<A>,
     torsion: Complex<A>,
-    d_over_a: f64,
-    d_over_b: f64,
+    d_over_a: Real<A>,
+    d_over_b: Real<A>,
 ) -> (Complex<A>, Complex<A>) {
     let (of_bending, of_torsion) = (bending.norm_sqr(), torsion.norm_sqr());
-    let from_a = Complex::from_real(Real::splat(d_over_a));
-    let from_b = Complex::from_real(Real::splat(d_over_b));
+    let from_a = Complex::from_real(d_over_a);
+    let from_b = Complex::from_real(d_over_b);
     (
         Complex::where_less(of_bending, of_torsion, torsion, from_a),
         Complex::where_less(of_bending, of_torsion, from_b, bending),

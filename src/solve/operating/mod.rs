@@ -1,6 +1,6 @@
 //! The state of the whole beam at one frequency: motions, internal forces and power.
 //!
-//! `along` evaluates motions and internal forces from the waves of each span, `power` the power balance. Everything is
+//! `along` reads motions and internal forces at the ends of spans, `power` evaluates the power balance. Everything is
 //! a complex amplitude, zero to peak, at `e^{i omega t}`, under all enabled forces with their amplitudes.
 //!
 //! Sign convention: with the motions q = (w, psi, v, w', psi', v') the internal forces are
@@ -19,11 +19,11 @@ use num_complex::Complex64;
 
 use super::beam_state::BeamState;
 use super::kernel::Prepared;
-use super::plan::{Held, Plan};
+use super::plan::Held;
 use super::solution::MassSolution;
 use super::springs::stretches;
 use crate::model::{Checked, Subsystem};
-use along::Along;
+use along::{Along, probed};
 
 /// The state of a model at one frequency.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,8 +75,7 @@ pub struct Power {
     /// The dissipation of each damper and each spring with a loss factor: those of the subsystems in the order of the model,
     /// then the supports', the ends first, and the joints'.
     pub dampers: Vec<Damper>,
-    /// The dissipation of the beam's material by its loss factor: NaN if its strain is only rounding, as in a beam that
-    /// is very short compared with its waves.
+    /// The dissipation of the beam's material by its loss factor.
     pub material: f64,
     /// The power flow along the beam in +x at each of [`Operating::positions`].
     pub flow: Vec<f64>,
@@ -119,11 +118,10 @@ impl Power {
 /// solution: its values are not finite.
 pub fn operating(model: &Checked, frequency: f64, points: usize) -> Operating {
     let omega = TAU * frequency;
-    // Responses would divide the spans without need: between stations the waves are known everywhere.
     let bare = model.derived(|model| model.responses.clear());
-    let prepared = Prepared::whole(Plan::new(&bare));
+    let prepared = Prepared::whole(probed(&bare, points));
     let along = Along::new(&bare, &prepared, omega);
-    let places = along.places(points);
+    let places = along.places();
     let locals: Vec<BeamState> = places.iter().map(|place| along.at(*place)).collect();
     let masses = masses(&along);
     Operating {
@@ -151,7 +149,7 @@ fn masses(along: &Along<'_>) -> Vec<MassState> {
     let state = |(subsystem, station): (&Subsystem, usize)| {
         let [w, psi, v, ..] = along.at(along.spot(subsystem.position)).motion;
         let omega = along.omega.into();
-        let MassSolution { forces, motion } = along.solution.masses[station];
+        let MassSolution { forces, motion } = along.states.masses[station];
         let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], forces);
         let springs = subsystem.springs();
         MassState {

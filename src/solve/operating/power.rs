@@ -10,9 +10,7 @@ use super::along::Along;
 use super::{Damper, Input, MassState, Power};
 use crate::model::{BeamMotion, Force, Spring, SupportId, Target};
 use crate::solve::beam_state::BeamState;
-use crate::solve::energy::SpanEnergy;
 use crate::solve::linear::ZERO;
-use crate::solve::waves::BeamConstants;
 
 /// The spring words of the model file, in the order of [`MassState::forces`].
 const SPRINGS: [&str; 4] = ["y_left", "y_right", "z_left", "z_right"];
@@ -35,7 +33,7 @@ pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[BeamState
             of_foundation(along),
         ]
         .concat(),
-        material: material(along),
+        material: 0.5 * along.omega * along.states.dissipation,
         flow: locals
             .iter()
             .map(|local| flow(along.omega, local))
@@ -88,19 +86,17 @@ fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
 
 /// What the dampers and the loss factors of the foundation dissipate along the beam.
 fn of_foundation(along: &Along<'_>) -> Vec<Damper> {
-    let (plan, solution) = (along.plan, &along.solution);
-    let mut dampers = Vec::new();
-    for (row, name) in ["w", "psi", "v"].into_iter().enumerate() {
-        let loss = |beam: &BeamConstants| beam.matrices.foundation_at(along.omega.into())[row].im;
-        if plan.beams.iter().any(|beam| loss(beam) > 0.0) {
-            let square = SpanEnergy::square(plan, solution, row, loss);
-            dampers.push(Damper {
-                label: format!("foundation {name}"),
-                power: 0.5 * along.omega * square.total(plan, &solution.spans),
-            });
-        }
-    }
-    dampers
+    let is_lossy = |row: usize| {
+        let mut beams = along.plan.beams.iter();
+        beams.any(|beam| beam.matrices.foundation_at(along.omega.into())[row].im > 0.0)
+    };
+    let motions = ["w", "psi", "v"].into_iter().enumerate();
+    let lossy = motions.filter(|(row, _)| is_lossy(*row));
+    let damper = |(row, name): (usize, &str)| Damper {
+        label: format!("foundation {name}"),
+        power: 0.5 * along.omega * along.states.on_foundation[row],
+    };
+    lossy.map(damper).collect()
 }
 
 fn of_supports(along: &Along<'_>) -> Vec<Damper> {
@@ -140,16 +136,6 @@ fn of_joints(along: &Along<'_>) -> Vec<Damper> {
         }
     }
     dampers
-}
-
-/// The dissipation by the loss factor, from the strain energy in closed form, W.
-fn material(along: &Along<'_>) -> f64 {
-    let (plan, solution) = (along.plan, &along.solution);
-    if plan.beams.iter().all(|beam| beam.bending_w.im == 0.0) {
-        return 0.0;
-    }
-    let energy = SpanEnergy::dissipation(plan, solution);
-    0.5 * along.omega * energy.total(plan, &solution.spans)
 }
 
 fn flow(omega: f64, local: &BeamState) -> f64 {

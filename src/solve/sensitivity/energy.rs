@@ -17,7 +17,6 @@ use super::{Differentiator, Gradient, forces};
 use crate::model::schema::{BeamKey, JointKey, MaterialKey, SectionKey, SpanKey};
 use crate::model::{Beam, BeamNumber, Group, Model, ParameterId, UniformPart};
 use crate::solve::beam_matrices::{Across, Symmetric};
-use crate::solve::energy::SpanEnergy;
 use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
@@ -83,17 +82,11 @@ impl Differentiator {
             *value += weights.by(*id);
         }
         Gradient {
-            value: energy(&self.prepared.plan, &solution).into(),
+            value: self.prepared.vibration(omega.into()).into(),
             by_frequency: (2.0 * TAU * product.by_omega().re).into(),
             by_parameter,
         }
     }
-}
-
-/// `E_V` with the value of the frequency responses.
-fn energy(plan: &Plan, solution: &Solution) -> f64 {
-    let energy = SpanEnergy::vibration(plan, solution);
-    energy.total(plan, &solution.spans)
 }
 
 /// A solution on a plan with additional stations.

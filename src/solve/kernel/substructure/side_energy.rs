@@ -112,8 +112,8 @@ impl<A: Arithmetic> Combinations<A> {
 /// The rows of Cholesky's factor U, and last in each `U^-* g`.
 #[inline(always)]
 fn factors<A: Arithmetic>(energy: &QuadraticForm<A>) -> [[Complex<A>; ARRIVALS]; 6] {
-    /// The smallest accepted ratio of a pivot to the magnitudes of its terms: below it is rounding.
-    const LEAST: f64 = 1e-14;
+    /// The smallest accepted ratio of a pivot to the magnitudes of its terms, in roundings.
+    const LEAST: f64 = 90.0;
     let mut rows = [[Complex::ZERO; ARRIVALS]; 6];
     for row in 0..6 {
         for column in row..ARRIVALS {
@@ -123,7 +123,7 @@ fn factors<A: Arithmetic>(energy: &QuadraticForm<A>) -> [[Complex<A>; ARRIVALS];
             }
             rows[row][column] = entry;
         }
-        let least = energy.apart[row] * Real::splat(LEAST);
+        let least = energy.apart[row] * Real::splat(LEAST * A::ROUNDING);
         let pivot = rows[row][row].re.max(least);
         // A wave may move nothing.
         let root = Real::ZERO.where_less(pivot, pivot, Real::ONE).sqrt();

@@ -27,6 +27,10 @@ const CHUNK: usize = 8 * MOST_LANES;
 /// One thread solves this many with cached sides before another one wakes up.
 const ALONE: usize = 32 * MOST_LANES;
 
+/// Of the limit below which frequencies are solved in numbers of twice the digits: up to this factor the cached sides keep
+/// their own, above it they are solved anew.
+const MOST_RISE: f64 = 1.5;
+
 /// The cache between the sweeps of a model that is edited.
 #[derive(Debug, Default)]
 pub struct SweepCache {
@@ -206,11 +210,10 @@ fn from_sides(
 fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
     let Part { left, right } = part;
     let has_energy = known.wants_energy || !plan.wants_energy;
-    // The sides of a low frequency have twice the digits.
-    let same_numbers = low_limit(known) == low_limit(plan);
+    let has_digits = low_limit(plan) <= MOST_RISE * low_limit(known);
     common(known, plan).is_some_and(|common| {
         has_energy
-            && same_numbers
+            && has_digits
             && common.left >= left
             && common.right >= right
             && left + right <= plan.stations.len()
@@ -316,7 +319,7 @@ fn substructure(plan: Plan, part: Part, known: &Plan) -> Substructure {
         .collect();
     read.sort_unstable();
     Substructure {
-        prepared: Prepared::new(plan),
+        prepared: Prepared::new(plan).with_limit_of(known),
         part: range,
         sources,
         read,

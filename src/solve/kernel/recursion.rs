@@ -80,6 +80,14 @@ impl Prepared {
         }
     }
 
+    /// With twice the digits at the same frequencies as another plan, whose solved sides have them.
+    pub(in crate::solve) fn with_limit_of(self, other: &Plan) -> Self {
+        Self {
+            low_limit: low_limit(other),
+            ..self
+        }
+    }
+
     /// Whether an angular frequency, rad/s, needs numbers of twice the digits.
     pub(super) fn is_low(&self, omega: Complex64) -> bool {
         omega.norm_sqr() < self.low_limit * self.low_limit

@@ -154,7 +154,9 @@ impl<A: Arithmetic> CoupledWave<A> {
             let value = (residuals[0] * residuals[1]).minus_product(d, d);
             let slope = (bent + bent) * residuals[1];
             let slope = slope.plus_product(residuals[0], warped + warped - torsion);
-            h = h - value * slope.inverse();
+            // Two roots may coincide.
+            let step = value * slope.inverse();
+            h = h - Complex::where_less(Real::ZERO, slope.norm_sqr(), step, Complex::ZERO);
         }
         let residuals = [of_w * h * h - a, (warping * h - torsion) * h - b];
         Self::new((constants, omega), h, residuals)

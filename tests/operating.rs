@@ -18,7 +18,7 @@ use beamtune::model::{
 };
 use beamtune::presets;
 use beamtune::solve::operating::{Damper, Operating, operating};
-use common::{LENGTH, exists, frequencies, models, respond, targets, unit_force};
+use common::{LENGTH, exists, frequencies, models_with_branches, respond, targets, unit_force};
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -80,7 +80,7 @@ fn mass_load(model: &Model, name: &str, motion: MassMotion) -> Complex64 {
 /// Loads with phases on a random model.
 fn loaded() -> impl Strategy<Value = Model> {
     let loads = prop::collection::vec((targets(), 0.1..10.0, -180.0..180.0), 1..4);
-    (models(), loads).prop_map(|(mut model, loads)| {
+    (models_with_branches(), loads).prop_map(|(mut model, loads)| {
         let kept = loads
             .into_iter()
             .filter(|(target, ..)| exists(&model, target));

@@ -79,6 +79,7 @@ fn bytes(key: &str) -> String {
         "Shift-Left" => "1;2D",
         "Home" => "H",
         "End" => "F",
+        "Ins" => "2~",
         "Del" => "3~",
         "PgUp" => "5~",
         "PgDn" => "6~",

@@ -253,7 +253,7 @@ fn is_near_a_joint(model: &Model, targets: &[&Target]) -> bool {
 #[test]
 fn every_parameter_of_random_models() {
     let config = Config {
-        rng_seed: RngSeed::Fixed(12),
+        rng_seed: RngSeed::Fixed(11),
         failure_persistence: None,
         ..Config::default()
     };

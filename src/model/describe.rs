@@ -1,14 +1,15 @@
 //! The description of a parameter for people.
 
 use super::beam::{Section, Span};
-use super::edit::{Value, directions, get, places, target_of};
+use super::edit::{Value, get, places, target_of};
 use super::id::{Group, ParameterId, SupportId};
+use super::quantity::Quantity;
 use super::schema::{
     FEWEST_POINTS, ForceKey, InnerSupportKey, Kind, MOST_POINTS, SectionKey, SubsystemKey,
 };
 use super::spelling::nearest;
-use super::types::{Link, Model, Quantity, Restraint, Support};
-use crate::unit::{Measure, Unit, value_input};
+use super::types::{Link, Model, Restraint, Support};
+use crate::unit::{Unit, value_input};
 
 /// A parameter with everything needed to set it.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,9 +83,9 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
             let mixed = (*value == Value::Choice("elastic")).then_some("elastic");
             Support::WORDS.into_iter().chain(mixed).collect()
         }
-        Kind::Measure => [Measure::WORDS, &[Quantity::ENERGY]].concat(),
+        Kind::Measure => Quantity::words(),
         Kind::Direction => {
-            target_of(model, id.group).map_or_else(Vec::new, |target| directions(target).to_vec())
+            target_of(model, id.group).map_or_else(Vec::new, |target| target.directions().to_vec())
         }
         _ => Vec::new(),
     }

@@ -7,8 +7,8 @@ mod value;
 mod variable;
 
 pub use family::{apply, apply_unchecked, family_keys, family_labels};
+pub(super) use target::places;
 pub use target::target_of;
-pub(super) use target::{directions, places};
 pub use value::{Value, get, number, put};
 
 use super::beam::Span;

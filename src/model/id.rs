@@ -2,8 +2,9 @@
 
 use super::beam::BeamMotion;
 use super::part::{BeamNumber, Part};
+use super::quantity::Quantity;
 use super::schema::{self, Key, Kind};
-use super::types::{Link, Model, Quantity, Restraint, Support, Target};
+use super::types::{Link, Model, Restraint, Support, Target};
 
 /// A support of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

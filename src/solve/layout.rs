@@ -7,7 +7,7 @@
 use num_complex::Complex64;
 
 use crate::model::{
-    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Spring,
+    At, BeamMotion, Elastic, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Spring,
     Subsystem, Support, Target, UniformPart,
 };
 
@@ -234,9 +234,9 @@ fn distance(model: &Model, place: Place) -> f64 {
 
 /// The distinct positions, ascending, ends included.
 fn positions(model: &Model, parts: &[UniformPart], merge: f64) -> Vec<f64> {
-    let beam_place = |target: &Target| match target {
-        Target::Beam(place, _) => Some(distance(model, *place)),
-        Target::Mass(..) => None,
+    let beam_place = |at: At<'_>| match at {
+        At::Beam(place) => Some(distance(model, place)),
+        At::Subsystem(_) => None,
     };
     let forces = model.forces.iter().filter(|force| force.enabled);
     let responses = model.responses.iter().filter(|response| response.enabled);
@@ -244,11 +244,8 @@ fn positions(model: &Model, parts: &[UniformPart], merge: f64) -> Vec<f64> {
     all.extend(model.supports.inner.iter().map(|inner| inner.position));
     all.extend(model.joints.iter().map(|joint| joint.position));
     all.extend(parts.iter().map(|part| part.end));
-    all.extend(forces.filter_map(|force| beam_place(&force.target)));
-    all.extend(responses.filter_map(|response| match &response.quantity {
-        Quantity::Motion(target, _) => beam_place(target),
-        Quantity::Energy => None,
-    }));
+    all.extend(forces.filter_map(|force| beam_place(force.target.at())));
+    all.extend(responses.filter_map(|response| beam_place(response.quantity.at()?)));
     all.sort_by(f64::total_cmp);
     let length = model.length();
     let mut places = vec![0.0];

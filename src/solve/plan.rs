@@ -7,10 +7,11 @@ use num_complex::Complex64;
 use super::attachment::Attachment;
 use super::beam_state::BeamState;
 use super::linear::ZERO;
+use super::output::{Output, Read, Row, Sum};
 use super::springs::{restraint_stiffness, stiffness};
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Spring, Support,
+    BeamMotion, Elastic, Measure, Model, Place, Point, Quantity, Restraint, Spring, Support,
     SupportId, Target, UniformPart,
 };
 
@@ -27,7 +28,9 @@ pub(super) struct Plan {
     pub(super) kinds: Vec<SpanKind>,
     /// Index in `kinds` of the span left of each station, and last of the span up to the right end.
     pub(super) spans: Vec<usize>,
-    /// Where each response comes from.
+    /// The rows that the outputs need.
+    pub(super) reads: Vec<Read>,
+    /// The value of each enabled response.
     pub(super) outputs: Vec<Output>,
     /// Whether some response needs the waves in every span.
     pub(super) wants_energy: bool,
@@ -183,38 +186,6 @@ pub(super) enum Event {
     Probe,
 }
 
-/// Where a response is read.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Output {
-    /// A motion of the beam at a station, plus its twist times an arm, m: w and v at a point of the section.
-    Beam {
-        station: usize,
-        motion: BeamMotion,
-        arm: f64,
-        measure: Measure,
-    },
-    /// A motion of the mass at a station.
-    Mass {
-        station: usize,
-        motion: MassMotion,
-        measure: Measure,
-    },
-    /// The rate of twist where a torque may make it jump: without warping stiffness, at a load, a subsystem, a support or
-    /// a joint between the ends.
-    ///
-    /// Its value is the mean of both sides, the limit for a warping constant that goes to 0: warping makes the same
-    /// boundary layer on both sides of the torque. At an end it is the value just inside the end.
-    MeanTwistRate {
-        /// Just before and just after everything at that position.
-        stations: [usize; 2],
-        measure: Measure,
-    },
-    /// A motion that a support fixes, always 0.
-    Held,
-    /// `E_V`.
-    Energy,
-}
-
 impl Plan {
     /// The kind of the span up to the right end.
     pub(super) fn last_span(&self) -> usize {
@@ -226,18 +197,14 @@ impl Plan {
         &self.beams[self.kinds[self.spans[span]].beam]
     }
 
-    /// Whether any response is read at two stations.
-    pub(super) fn has_means(&self) -> bool {
-        let mut outputs = self.outputs.iter();
-        outputs.any(|output| matches!(output, Output::MeanTwistRate { .. }))
-    }
-
-    /// The outputs that are read at one station, by ascending station.
-    pub(super) fn reads(&self) -> Vec<(usize, Output)> {
-        let at_station = |output: &Output| output.station().map(|station| (station, *output));
-        let mut reads: Vec<_> = self.outputs.iter().filter_map(at_station).collect();
-        reads.sort_by_key(|(station, _)| *station);
-        reads
+    /// A response that is one more read.
+    pub(super) fn output_of(&mut self, read: Read) -> Output {
+        let terms = vec![(1.0, self.reads.len())];
+        self.reads.push(read);
+        Output::Sum(Sum {
+            terms,
+            measure: Measure::Displacement,
+        })
     }
 
     /// The same on a beam of another length, m, with additional probes, m from the left end.
@@ -251,8 +218,8 @@ impl Plan {
         plan.stations
             .sort_by(|a, b| a.position.total_cmp(&b.position));
         (plan.kinds, plan.spans) = spans(&plan.stations, length);
-        // The outputs refer to the old station numbers.
-        plan.outputs = Vec::new();
+        // The reads refer to the old station numbers.
+        (plan.reads, plan.outputs) = (Vec::new(), Vec::new());
         plan
     }
 
@@ -385,6 +352,7 @@ struct Layout<'a> {
     supports: Range<usize>,
     /// Station of each subsystem, by name.
     masses: std::collections::HashMap<&'a str, usize>,
+    reads: Vec<Read>,
     outputs: Vec<Output>,
 }
 
@@ -418,6 +386,7 @@ impl<'a> Layout<'a> {
             first_probes: 0,
             supports: 0..0,
             masses: std::collections::HashMap::new(),
+            reads: Vec::new(),
             outputs: Vec::new(),
         }
     }
@@ -572,67 +541,83 @@ impl<'a> Layout<'a> {
         for response in self.model.responses.iter().filter(|r| r.enabled) {
             let output = match &response.quantity {
                 Quantity::Energy => Output::Energy,
-                Quantity::Motion(Target::Beam(place, motion), measure) => {
-                    let arm = response.point.arm(*motion).unwrap_or_default();
-                    self.probe_beam(self.x(*place), (*motion, arm), *measure)
-                }
-                Quantity::Motion(Target::Mass(name, motion), measure) => {
-                    match self.masses.get(name.as_str()) {
-                        Some(&station) => Output::Mass {
-                            station,
-                            motion: *motion,
-                            measure: *measure,
-                        },
-                        // A checked model has no enabled response on a disabled subsystem.
-                        None => Output::Held,
-                    }
-                }
+                Quantity::Motion(target, measure) => Output::Sum(Sum {
+                    terms: self.motion(target, response.point),
+                    measure: *measure,
+                }),
             };
             self.outputs.push(output);
         }
     }
 
-    fn probe_beam(&mut self, x: f64, (motion, arm): (BeamMotion, f64), measure: Measure) -> Output {
+    /// One more read, as a term of a sum.
+    fn term(&mut self, factor: f64, station: usize, row: Row) -> (f64, usize) {
+        self.reads.push(Read { station, row });
+        (factor, self.reads.len() - 1)
+    }
+
+    /// A motion, of the beam at a point of the section; no terms for one that a support fixes.
+    fn motion(&mut self, target: &Target, point: Point) -> Vec<(f64, usize)> {
+        match target {
+            Target::Beam(place, motion) => {
+                let arm = point.arm(*motion).unwrap_or_default();
+                self.motion_of_beam(self.x(*place), *motion, arm)
+            }
+            // A checked model has no enabled response on a disabled subsystem.
+            Target::Mass(name, motion) => match self.masses.get(name.as_str()) {
+                Some(&station) => vec![self.term(1.0, station, Row::Mass(*motion))],
+                None => Vec::new(),
+            },
+        }
+    }
+
+    /// The rate of twist jumps at a torque without warping stiffness, at a load, a subsystem, a support or a joint between the
+    /// ends. There it is the mean of both sides, just before and just after everything at that position: the limit for a
+    /// warping constant that goes to 0, because warping makes the same boundary layer on both sides of the torque. At an
+    /// end it is the value just inside the end.
+    fn motion_of_beam(&mut self, x: f64, motion: BeamMotion, arm: f64) -> Vec<(f64, usize)> {
         if self.is_held(x, motion, arm) {
-            return Output::Held;
+            return Vec::new();
         }
-        let probe_at = |s: &Station| s.position == x && matches!(s.event, Event::Probe);
-        let (firsts, rest) = self.stations.split_at(self.first_probes);
+        let row = Row::Motion(motion, arm);
+        let firsts = self.stations[..self.first_probes].iter();
         let first = firsts
-            .iter()
-            .position(probe_at)
+            .enumerate()
+            .find(|(_, of)| of.position == x)
             .filter(|_| motion == BeamMotion::PsiSlope);
-        let beam = |station| Output::Beam {
-            station,
-            motion,
-            arm,
-            measure,
-        };
-        if let Some(station) = first
-            && x == self.model.length()
-        {
-            return beam(station);
+        match first.map(|(station, _)| station) {
+            Some(first) if x == self.model.length() => vec![self.term(1.0, first, row)],
+            Some(first) => {
+                let last = self.probe(x);
+                vec![self.term(0.5, first, row), self.term(0.5, last, row)]
+            }
+            None => {
+                let station = self.probe(x);
+                vec![self.term(1.0, station, row)]
+            }
         }
-        let known = rest.iter().position(probe_at);
-        let last = known.map_or(self.stations.len(), |index| self.first_probes + index);
-        if known.is_none() {
-            self.stations.push(Station {
-                position: x,
-                event: Event::Probe,
-            });
+    }
+
+    /// The station of a probe after everything at a position.
+    fn probe(&mut self, position: f64) -> usize {
+        let is_it = |of: &Station| of.position == position && matches!(of.event, Event::Probe);
+        let rest = &self.stations[self.first_probes..];
+        if let Some(known) = rest.iter().position(is_it) {
+            return self.first_probes + known;
         }
-        first.map_or(beam(last), |first| Output::MeanTwistRate {
-            stations: [first, last],
-            measure,
-        })
+        self.stations.push(Station {
+            position,
+            event: Event::Probe,
+        });
+        self.stations.len() - 1
     }
 
     fn x(&self, place: Place) -> f64 {
         place.position(self.model.length())
     }
 
-    /// Sorts the stations by x and renumbers the outputs.
-    fn finish(self) -> Plan {
+    /// Sorts the stations by x and renumbers those of the reads.
+    fn finish(mut self) -> Plan {
         let mut order: Vec<usize> = (0..self.stations.len()).collect();
         order.sort_by(|&a, &b| {
             self.stations[a]
@@ -643,20 +628,9 @@ impl<'a> Layout<'a> {
         for (new, &old) in order.iter().enumerate() {
             rank[old] = new;
         }
-        let outputs: Vec<Output> = self
-            .outputs
-            .iter()
-            .map(|output| match *output {
-                Output::MeanTwistRate { stations, measure } => Output::MeanTwistRate {
-                    stations: stations.map(|station| rank[station]),
-                    measure,
-                },
-                Output::Beam { station, .. } | Output::Mass { station, .. } => {
-                    output.at_station(rank[station])
-                }
-                Output::Held | Output::Energy => *output,
-            })
-            .collect();
+        for read in &mut self.reads {
+            read.station = rank[read.station];
+        }
         let mut stations = self.stations;
         stations.sort_by(|a, b| a.position.total_cmp(&b.position));
         let (kinds, spans) = spans(&stations, self.model.length());
@@ -664,46 +638,12 @@ impl<'a> Layout<'a> {
             beams: self.beams,
             left: self.left,
             right: self.right,
-            wants_energy: outputs.iter().any(|o| matches!(o, Output::Energy)),
+            wants_energy: self.outputs.contains(&Output::Energy),
             stations,
             kinds,
             spans,
-            outputs,
-        }
-    }
-}
-
-impl Output {
-    /// The station at which it is read, if it is one.
-    pub(super) const fn station(self) -> Option<usize> {
-        match self {
-            Self::Beam { station, .. } | Self::Mass { station, .. } => Some(station),
-            Self::MeanTwistRate { .. } | Self::Held | Self::Energy => None,
-        }
-    }
-
-    /// The same, read at another station.
-    pub(super) const fn at_station(self, station: usize) -> Self {
-        match self {
-            Self::Beam {
-                motion,
-                arm,
-                measure,
-                ..
-            } => Self::Beam {
-                station,
-                motion,
-                arm,
-                measure,
-            },
-            Self::Mass {
-                motion, measure, ..
-            } => Self::Mass {
-                station,
-                motion,
-                measure,
-            },
-            other => other,
+            reads: self.reads,
+            outputs: self.outputs,
         }
     }
 }

@@ -10,11 +10,8 @@ use num_complex::Complex64;
 use super::{Curve, Member, Points, warn_of};
 use crate::cli::{Failure, csv, say};
 use crate::measured::{Node, Record, Written, write_uff};
-use crate::model::{
-    BeamMotion, Checked, MassMotion, Place, Point, Quantity, Response, Target, counted,
-};
+use crate::model::{BeamMotion, Checked, MassMotion, Place, Point, Response, Target, counted};
 use crate::solve::{Frf, Reference};
-use crate::unit::Kind;
 
 /// A model's curve, solved.
 struct Solved<'a> {
@@ -67,7 +64,7 @@ fn divide(frf: &mut Frf, model: &Checked) {
     };
     let quantities = enabled(model).map(|response| &response.quantity);
     for (column, quantity) in frf.columns.iter_mut().zip(quantities) {
-        if matches!(quantity, Quantity::Motion(..)) {
+        if !quantity.is_quadratic() {
             column
                 .values
                 .iter_mut()
@@ -98,7 +95,7 @@ impl Solved<'_> {
         columns
             .map(|((column, name), response)| {
                 let kind = response.quantity.kind(reference.map(|one| one.load));
-                let force = force.filter(|_| kind != Kind::Energy);
+                let force = force.filter(|_| !response.quantity.is_quadratic());
                 Record {
                     name,
                     title: self.title(),
@@ -122,10 +119,7 @@ impl Solved<'_> {
 
 /// What a motion is of, and its point of the section; none for an energy.
 fn moved(response: &Response) -> Option<(&Target, Point)> {
-    match &response.quantity {
-        Quantity::Motion(target, _) => Some((target, response.point)),
-        Quantity::Energy => None,
-    }
+    Some((response.quantity.target()?, response.point))
 }
 
 /// The numbered nodes of a model: those on the beam from left to right, then the masses in the order of the model.

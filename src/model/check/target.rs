@@ -5,7 +5,7 @@ use super::super::fault::Fault;
 use super::super::schema::{FORCE, RESPONSE};
 use super::super::spelling::{self, element_keys};
 use super::super::toml_literal::format_number;
-use super::super::types::{MassMotion, Model, Place, Quantity, Subsystem, Target};
+use super::super::types::{MassMotion, Model, Place, Subsystem, Target};
 use super::{beyond_the_end, element_names, not_finite, numbers};
 
 /// The most faults that suggest the nearest name, because the search is slow among many names.
@@ -49,10 +49,7 @@ pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
     element_names("responses", &names, faults);
     for (response, key) in model.responses.iter().zip(element_keys(names)) {
         let path = format!("responses.{key}");
-        let at = match &response.quantity {
-            Quantity::Motion(at, _) => Some(at),
-            Quantity::Energy => None,
-        };
+        let at = response.quantity.target();
         if let Some(at) = at {
             target(&path, at, response.enabled, model, faults);
         }

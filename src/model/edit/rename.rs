@@ -4,7 +4,7 @@ use crate::model::id::{Group, SupportId};
 use crate::model::path::Pattern;
 use crate::model::path::pattern::{Part, join};
 use crate::model::tuning::Limit;
-use crate::model::types::{Family, Model, Quantity, Target};
+use crate::model::types::{Family, Model, Target};
 
 /// Renames an element of a list and all references to it.
 pub(super) fn element(model: &mut Model, group: Group, new: &str) {
@@ -21,14 +21,8 @@ pub(super) fn element(model: &mut Model, group: Group, new: &str) {
 fn subsystem(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.subsystems[index].name, new.to_owned());
     let forces = model.forces.iter_mut().map(|force| &mut force.target);
-    let responses =
-        model
-            .responses
-            .iter_mut()
-            .filter_map(|response| match &mut response.quantity {
-                Quantity::Motion(target, _) => Some(target),
-                Quantity::Energy => None,
-            });
+    let responses = model.responses.iter_mut();
+    let responses = responses.filter_map(|response| response.quantity.target_mut());
     for target in forces.chain(responses) {
         if let Target::Mass(name, _) = target
             && *name == old

@@ -4,11 +4,8 @@ use super::value::Value;
 use crate::model::beam::{BeamMotion, Point};
 use crate::model::id::Group;
 use crate::model::spelling::{nearest, segment};
-use crate::model::types::{MassMotion, Model, Place, Quantity, Target};
-use crate::unit::{Measure, Unit, value_input};
-
-/// The target of an energy response that becomes a motion.
-const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);
+use crate::model::types::{At, MassMotion, Model, Place, Target};
+use crate::unit::{Unit, value_input};
 
 /// The most subsystems that a message lists.
 const MOST_LISTED: usize = 6;
@@ -16,12 +13,12 @@ const MOST_LISTED: usize = 6;
 /// The position as text that [`moved`] reads back: `left`, `right`, `1.6 m`, or a subsystem's name, in quotes if it
 /// could be read as one of the others.
 pub(super) fn place(target: &Target) -> String {
-    match target {
-        Target::Beam(Place::Left, _) => "left".to_owned(),
-        Target::Beam(Place::Right, _) => "right".to_owned(),
-        Target::Beam(Place::Position(position), _) => Unit::METRE.format_exact(*position),
-        Target::Mass(name, _) if is_plain(name) => name.clone(),
-        Target::Mass(name, _) => format!("'{name}'"),
+    match target.at() {
+        At::Beam(Place::Left) => "left".to_owned(),
+        At::Beam(Place::Right) => "right".to_owned(),
+        At::Beam(Place::Position(position)) => Unit::METRE.format_exact(position),
+        At::Subsystem(name) if is_plain(name) => name.to_owned(),
+        At::Subsystem(name) => format!("'{name}'"),
     }
 }
 
@@ -41,30 +38,11 @@ fn unquoted(text: &str) -> Option<&str> {
     quoted('\'').or_else(|| quoted('"'))
 }
 
-/// The word of a direction.
-pub(super) fn direction(target: &Target) -> &'static str {
-    match target {
-        Target::Beam(_, motion) => motion.key(),
-        Target::Mass(_, motion) => motion.key(),
-    }
-}
-
-/// The words of the directions that the position permits.
-pub(in crate::model) const fn directions(target: &Target) -> &'static [&'static str] {
-    match target {
-        Target::Beam(..) => BeamMotion::WORDS,
-        Target::Mass(..) => MassMotion::WORDS,
-    }
-}
-
 /// The target of a force or response; none for an energy.
 pub fn target_of(model: &Model, group: Group) -> Option<&Target> {
     match group {
         Group::Force(index) => Some(&model.forces[index].target),
-        Group::Response(index) => match &model.responses[index].quantity {
-            Quantity::Motion(target, _) => Some(target),
-            Quantity::Energy => None,
-        },
+        Group::Response(index) => model.responses[index].quantity.target(),
         _ => None,
     }
 }
@@ -83,11 +61,7 @@ fn put(model: &mut Model, group: Group, new: Target) {
         }
         Group::Response(index) => {
             let response = &mut model.responses[index];
-            let target = match &mut response.quantity {
-                Quantity::Motion(target, _) => Some(target),
-                Quantity::Energy => None,
-            };
-            (target, &mut response.point)
+            (response.quantity.target_mut(), &mut response.point)
         }
         _ => return,
     };
@@ -97,33 +71,6 @@ fn put(model: &mut Model, group: Group, new: Target) {
     if let Some(target) = target {
         *target = new;
     }
-}
-
-/// The word of a response's measure.
-pub(super) const fn measure(quantity: &Quantity) -> &'static str {
-    match quantity {
-        Quantity::Motion(_, measure) => measure.key(),
-        Quantity::Energy => Quantity::ENERGY,
-    }
-}
-
-/// A quantity with another measure. An energy that becomes a motion is w at the right end.
-///
-/// # Errors
-/// The measure is unknown; the message lists all measures.
-pub(super) fn measured(quantity: &Quantity, word: &str) -> Result<Quantity, String> {
-    if word == Quantity::ENERGY {
-        return Ok(Quantity::Energy);
-    }
-    let measure = Measure::of_word(word).ok_or_else(|| {
-        let words = Measure::WORDS.join(", ");
-        format!("is {word:?}; must be {words} or {}", Quantity::ENERGY)
-    })?;
-    let target = match quantity {
-        Quantity::Motion(target, _) => target.clone(),
-        Quantity::Energy => DEFAULT,
-    };
-    Ok(Quantity::Motion(target, measure))
 }
 
 /// Moves a force or response to another position, with the motion that corresponds to the old one.
@@ -183,7 +130,7 @@ fn turned(old: &Target, word: &str) -> Result<Target, String> {
         (Target::Beam(..), ..) => "on the beam",
         (Target::Mass(..), ..) => "at a subsystem",
     };
-    let fitting = directions(old).join(", ");
+    let fitting = old.directions().join(", ");
     Err(format!("is {word:?}; must be {fitting} {place}"))
 }
 

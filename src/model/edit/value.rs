@@ -5,9 +5,10 @@ use super::target;
 use crate::model::beam::{Beam, BeamMotion, Point, Span};
 use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::path;
+use crate::model::quantity::Quantity;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::toml_literal::format_number;
-use crate::model::types::{Elastic, Link, Model, Quantity, Restraint, Spring, Support};
+use crate::model::types::{Elastic, Link, Model, Restraint, Spring, Support};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -180,10 +181,10 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
         }
         (Group::Span(_), _) => Value::Number(model.beam.axial_force),
         (Group::Response(index), Kind::Measure) => {
-            Value::Choice(target::measure(&model.responses[index].quantity))
+            Value::Choice(model.responses[index].quantity.word())
         }
         (_, Kind::Place) => Value::Text(target::place(target()?)),
-        _ => Value::Choice(target::direction(target()?)),
+        _ => Value::Choice(target()?.direction()),
     })
 }
 
@@ -231,9 +232,12 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         (group, Kind::Place) => target::place_at(model, group, value)?,
         (group, Kind::Direction) => target::turn(model, group, &value)?,
         (Group::Response(index), Kind::Measure) => {
-            let response = &mut model.responses[index];
-            response.quantity = target::measured(&response.quantity, value.word()?)?;
-            if response.quantity == Quantity::Energy {
+            let (response, word) = (&mut model.responses[index], value.word()?);
+            response.quantity = response.quantity.of_word(word).ok_or_else(|| {
+                let words = Quantity::words().join(", ");
+                format!("is {word:?}; must be one of {words}")
+            })?;
+            if !response.has_point() {
                 response.point = Point::AXIS;
             }
         }
@@ -395,7 +399,8 @@ mod tests {
     use crate::model::beam::{BeamMotion, Section};
     use crate::model::edit::{Value, set, set_unchecked};
     use crate::model::path::{all, number, parameter, sample};
-    use crate::model::types::{Elastic, Model, Place, Quantity, Restraint, Support, Target};
+    use crate::model::quantity::Quantity;
+    use crate::model::types::{Elastic, Model, Place, Restraint, Support, Target};
     use crate::unit::Measure;
 
     fn choice(word: &'static str) -> Value {

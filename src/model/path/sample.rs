@@ -1,11 +1,11 @@
 //! Models for tests.
 
 use crate::model::beam::{Beam, BeamMotion, Bedding, Foundation, Material, Point, Section, Span};
+use crate::model::quantity::{Quantity, Response};
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
     Case, Elastic, Family, Force, InnerSupport, Joint, Link, MassMotion, Model, Operation, Place,
-    Quantity, Response, Restraint, Spacing, Spring, Study, Subsystem, Support, Supports, Sweep,
-    Target,
+    Restraint, Spacing, Spring, Study, Subsystem, Support, Supports, Sweep, Target,
 };
 use crate::unit::Measure;
 

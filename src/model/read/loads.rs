@@ -1,8 +1,9 @@
 //! Forces and responses of a model file.
 
 use super::super::beam::{BeamMotion, Point};
+use super::super::quantity::{Quantity, Response};
 use super::super::schema::{FORCE, Kind, RESPONSE};
-use super::super::types::{Force, MassMotion, Place, Quantity, Response, Target};
+use super::super::types::{Force, MassMotion, Place, Target};
 use super::list::{named, names as element_names};
 use super::reader::Reader;
 use super::table::Table;
@@ -77,7 +78,7 @@ pub(super) fn responses(
 }
 
 fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quantity {
-    let words = [Measure::WORDS, &[Quantity::ENERGY]].concat();
+    let words = Quantity::words();
     match table.word("measure", &words, Some(0), reader) {
         Some(index) if index < Measure::ALL.len() => {
             Quantity::Motion(target(table, names, reader), Measure::ALL[index])

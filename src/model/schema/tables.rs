@@ -2,9 +2,9 @@
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::beam::{Beam, BeamMotion, Foundation, Material, Section, Span, Theory};
+use crate::model::quantity::Response;
 use crate::model::types::{
-    Elastic, Force, InnerSupport, Joint, Model, Response, Spacing, Spring, Study, Subsystem,
-    Support, Sweep,
+    Elastic, Force, InnerSupport, Joint, Model, Spacing, Spring, Study, Subsystem, Support, Sweep,
 };
 use crate::unit::Unit;
 

@@ -3,13 +3,14 @@
 use super::super::beam::{BeamMotion, Foundation, Span};
 use super::super::id::{Group, SupportId};
 use super::super::part::Part;
+use super::super::quantity::{Quantity, Response};
 use super::super::schema::{
     self, Access, FORCE, FOUNDATION, JOINT, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SPAN,
     SUBSYSTEM, SWEEP,
 };
 use super::super::types::{
-    Case, Family, Force, InnerSupport, Joint, Link, Model, Place, Quantity, Response, Restraint,
-    Study, Subsystem, Support, Supports, Target,
+    Case, Family, Force, InnerSupport, Joint, Link, Model, Place, Restraint, Study, Subsystem,
+    Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;

@@ -1,4 +1,4 @@
-//! Responses at a station, at several frequencies at once.
+//! Rows at a station, and the responses that are made of them, at several frequencies at once.
 
 use super::complex::Complex;
 use super::number::{Arithmetic, Real, part};
@@ -7,7 +7,8 @@ use super::station::CHANNELS;
 use super::waves::Waves;
 use crate::model::{BeamMotion, MassMotion, Measure};
 use crate::solve::attachment::Attachment;
-use crate::solve::plan::{Event, Output};
+use crate::solve::output::{Output, Row, Sum};
+use crate::solve::plan::{Event, Plan};
 
 /// The requested part of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,48 +38,28 @@ impl<A: Arithmetic> State<A> {
         theta: Complex::ZERO,
     };
 
-    /// A response read at a station.
-    pub(super) fn response(
-        &self,
-        event: &Event,
-        waves: &Waves<A>,
-        output: Output,
-        part: Part,
-    ) -> Complex<A> {
-        A::outlined(Response((self, event, waves, output, part)))
+    /// A row at a station.
+    pub(super) fn row(&self, event: &Event, waves: &Waves<A>, row: Row, part: Part) -> Complex<A> {
+        A::outlined(RowOf((self, event, waves, row, part)))
     }
 
     #[inline(always)]
-    fn response_inlined(
-        (this, event, waves, output, part): (&Self, &Event, &Waves<A>, Output, Part),
+    fn row_inlined(
+        (this, event, waves, row, part): (&Self, &Event, &Waves<A>, Row, Part),
     ) -> Complex<A> {
-        match (output, event) {
-            (
-                Output::Beam {
-                    motion,
-                    arm,
-                    measure,
-                    ..
-                },
-                _,
-            ) => {
-                let mut moved = this.motion(waves, motion);
-                if arm != 0.0 {
-                    let twist = this.motion(waves, BeamMotion::Psi);
-                    moved = moved.plus_scaled(Real::splat(arm), twist);
+        match (row, event) {
+            (Row::Motion(motion, arm), _) => {
+                let moved = this.motion(waves, motion);
+                if arm == 0.0 {
+                    return moved;
                 }
-                measured(waves.omega, moved, measure)
+                let twist = this.motion(waves, BeamMotion::Psi);
+                moved.plus_scaled(Real::splat(arm), twist)
             }
-            (
-                Output::Mass {
-                    motion, measure, ..
-                },
-                Event::Attachment(attachment),
-            ) => {
-                let moved = this.mass(waves, attachment, motion, part);
-                measured(waves.omega, moved, measure)
+            (Row::Mass(motion), Event::Attachment(attachment)) => {
+                this.mass(waves, attachment, motion, part)
             }
-            _ => Complex::ZERO,
+            (Row::Mass(_), _) => Complex::ZERO,
         }
     }
 
@@ -175,14 +156,30 @@ impl<A: Arithmetic> State<A> {
     }
 }
 
-/// A displacement, its velocity or its acceleration.
+/// Writes every output of a plan at the angular frequencies `omega`, rad/s, from its reads and the energy.
 #[inline(always)]
-fn measured<A: Arithmetic>(
+pub(super) fn write_outputs<A: Arithmetic>(
+    plan: &Plan,
     omega: Complex<A>,
-    displacement: Complex<A>,
-    measure: Measure,
-) -> Complex<A> {
-    match measure {
+    reads: &[Complex<A>],
+    energy: Real<A>,
+    out: &mut [Complex<A>],
+) {
+    for (value, output) in out.iter_mut().zip(&plan.outputs) {
+        *value = match output {
+            Output::Sum(sum) => summed(sum, omega, reads),
+            Output::Energy => Complex::from_real(energy),
+        };
+    }
+}
+
+#[inline(always)]
+fn summed<A: Arithmetic>(sum: &Sum, omega: Complex<A>, reads: &[Complex<A>]) -> Complex<A> {
+    let mut displacement = Complex::ZERO;
+    for (factor, read) in &sum.terms {
+        displacement = displacement.plus_scaled(Real::splat(*factor), reads[*read]);
+    }
+    match sum.measure {
         Measure::Displacement => displacement,
         Measure::Velocity => {
             let turned = displacement * omega;
@@ -196,7 +193,7 @@ fn measured<A: Arithmetic>(
 }
 
 part!(
-    Response ['a, A: Arithmetic] ['a, A]
-    (&'a State<A>, &'a Event, &'a Waves<A>, Output, Part) -> Complex<A>,
-    State::response_inlined
+    RowOf ['a, A: Arithmetic] ['a, A]
+    (&'a State<A>, &'a Event, &'a Waves<A>, Row, Part) -> Complex<A>,
+    State::row_inlined
 );

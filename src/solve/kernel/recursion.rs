@@ -8,12 +8,12 @@ use super::elementary::decay;
 use super::ends::{reflection, right_end};
 use super::energy::{Form, PAIRS, Sum, weights};
 use super::number::{Arithmetic, Real, part};
-use super::read::{Part, State};
+use super::read::{Part, State, write_outputs};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
 use super::station::{Forces, Turn, Unknowns, sent, stretches};
 use super::waves::{Constants, Waves};
-use crate::model::BeamMotion;
-use crate::solve::plan::{Event, Output, Plan, SpanKind};
+use crate::solve::output::Read;
+use crate::solve::plan::{Event, Plan, SpanKind};
 
 /// A plan, with the frequency-independent constants of its waves.
 #[derive(Debug)]
@@ -33,18 +33,8 @@ impl Prepared {
     /// With outputs where the plan has them.
     pub(in crate::solve) fn new(plan: Plan) -> Self {
         let mut is_read = vec![false; plan.stations.len()];
-        for output in &plan.outputs {
-            match output {
-                Output::Beam { station, .. } | Output::Mass { station, .. } => {
-                    is_read[*station] = true;
-                }
-                Output::MeanTwistRate { stations, .. } => {
-                    for station in stations {
-                        is_read[*station] = true;
-                    }
-                }
-                Output::Held | Output::Energy => {}
-            }
+        for read in &plan.reads {
+            is_read[read.station] = true;
         }
         Self::reading(plan, is_read)
     }
@@ -134,6 +124,8 @@ pub(super) struct Room<A> {
     pub(super) turns: Vec<Turn<A>>,
     /// The solution at each station with outputs.
     pub(super) states: Vec<State<A>>,
+    /// The value of each read.
+    pub(super) values: Vec<Complex<A>>,
 }
 
 impl<A: Arithmetic> Default for Room<A> {
@@ -150,6 +142,7 @@ impl<A: Arithmetic> Default for Room<A> {
             lefts: Vec::new(),
             turns: Vec::new(),
             states: Vec::new(),
+            values: Vec::new(),
         }
     }
 }
@@ -184,45 +177,29 @@ impl<A: Arithmetic> Room<A> {
             let start = (*self.start).clone();
             self.cross_span(prepared, all, (0, &start), &mut b, &mut energy);
         }
-        let energy = energy.resolved();
-        for (value, output) in out.iter_mut().zip(&plan.outputs) {
-            *value = match output {
-                Output::Energy => Complex::from_real(energy),
-                Output::MeanTwistRate { stations, measure } => {
-                    let [before, after] = stations.map(|station| {
-                        let side = Output::Beam {
-                            station,
-                            motion: BeamMotion::PsiSlope,
-                            arm: 0.0,
-                            measure: *measure,
-                        };
-                        self.read(prepared, all, side, Part::Whole)
-                    });
-                    (before + after).scaled(Real::splat(0.5))
-                }
-                output => self.read(prepared, all, *output, Part::Whole),
-            };
+        self.values.clear();
+        for read in &plan.reads {
+            let value = self.read(prepared, all, *read, Part::Whole);
+            self.values.push(value);
         }
+        let omega = prepared.waves_of(all, 0).omega;
+        write_outputs(plan, omega, &self.values, energy.resolved(), out);
     }
 
-    /// A response at a station that the sweep has passed.
+    /// A row at a station that the sweep has passed.
     #[inline(always)]
     pub(super) fn read(
         &self,
         prepared: &Prepared,
         all: &[Waves<A>],
-        output: Output,
+        Read { station, row }: Read,
         part: Part,
     ) -> Complex<A> {
-        let (Output::Beam { station, .. } | Output::Mass { station, .. }) = output else {
-            return Complex::ZERO;
-        };
         let event = &prepared.plan.stations[station].event;
         let Some(read) = prepared.reads[station] else {
             return Complex::ZERO;
         };
-        let waves = prepared.waves_of(all, station);
-        self.states[read].response(event, waves, output, part)
+        self.states[read].row(event, prepared.waves_of(all, station), row, part)
     }
 
     #[inline(always)]

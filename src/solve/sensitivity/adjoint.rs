@@ -2,123 +2,98 @@
 
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
+use crate::model::{BeamMotion, Measure, Model, Place, Quantity, Response, Target};
 use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
-use crate::solve::plan::{Event, Output, Plan};
+use crate::solve::output::{Output, Read, Row, Sum};
+use crate::solve::plan::{Event, Plan};
 
 /// A response, with the frequency-independent data of its derivatives.
 #[derive(Debug)]
 pub(super) enum Adjoint {
-    /// A motion.
-    Motion(Box<Motion>),
+    /// A sum of rows.
+    Sum(Box<Influence>),
     /// A motion that a support fixes, by its index among the enabled responses.
     Held(usize),
     /// `E_V`: its adjoint loads follow from the motion.
     Energy,
 }
 
-/// A motion of the beam or of a mass.
+/// The influence of loads on a response, by reciprocity the state under a unit load along it.
 #[derive(Debug)]
-pub(super) struct Motion {
-    /// The plan under a unit load along the motion, prepared as a whole.
+pub(super) struct Influence {
+    /// The plan under the unit load, prepared as a whole.
     pub(super) prepared: Prepared,
-    pub(super) measure: Measure,
-    /// Its index among the enabled responses.
+    pub(super) sum: Sum,
+    /// The index of the response among the enabled ones.
     pub(super) response: usize,
-    /// The position of the motion.
-    pub(super) reading: Reading,
     /// The unit load, if its position is constant while the right end moves.
     pub(super) held: [Complex64; 6],
 }
 
-/// The position of a motion.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Reading {
-    /// Of the beam, at a station, plus its twist times an arm, m.
-    Beam(usize, BeamMotion, f64),
-    /// The mean rate of twist at two stations: see [`Output::MeanTwistRate`].
-    MeanTwistRate([usize; 2]),
-    /// Of the enabled subsystem with this index, along y, z or theta.
-    Mass(usize, usize),
-}
-
 impl Adjoint {
-    /// The adjoints of each enabled response of a model; `masses` are the stations of its enabled subsystems.
-    pub(super) fn all(model: &Model, plan: &Plan, masses: &[usize]) -> Vec<Self> {
+    /// The adjoints of each enabled response of a model.
+    pub(super) fn all(model: &Model, plan: &Plan) -> Vec<Self> {
         let bare = without_loads(plan);
         let responses = model.responses.iter().filter(|response| response.enabled);
-        let outputs = plan.outputs.iter().zip(responses);
-        let adjoint = |(index, (output, response)): (usize, (&Output, &crate::model::Response))| {
-            let stays = matches!(
-                response.quantity,
-                Quantity::Motion(Target::Beam(Place::Position(x), _), _) if x == model.length()
-            );
-            Self::of(model, &bare, masses, (index, *output), stays)
+        let outputs = plan.outputs.iter().zip(responses).enumerate();
+        let adjoint = |(index, (output, response)): (usize, (&Output, &Response))| match output {
+            Output::Energy => Self::Energy,
+            Output::Sum(sum) if sum.terms.is_empty() => Self::Held(index),
+            Output::Sum(sum) => {
+                let influence = Influence::new(model, &bare, sum, (index, response));
+                Self::Sum(Box::new(influence))
+            }
         };
-        outputs.enumerate().map(adjoint).collect()
+        outputs.map(adjoint).collect()
     }
+}
 
-    fn of(
-        model: &Model,
-        bare: &Plan,
-        masses: &[usize],
-        (response, output): (usize, Output),
-        stays: bool,
-    ) -> Self {
+impl Influence {
+    fn new(model: &Model, bare: &Plan, sum: &Sum, (index, of): (usize, &Response)) -> Self {
         let mut plan = bare.clone();
         let mut held = [ZERO; 6];
-        let (reading, measure) = match output {
-            Output::Held => return Self::Held(response),
-            Output::Energy => return Self::Energy,
-            Output::Beam {
-                station,
-                motion,
-                arm,
-                measure,
-            } => {
-                let mut unit = [ZERO; 6];
-                unit[BeamMotion::Psi as usize] = arm.into();
-                unit[motion as usize] = Complex64::ONE;
-                let at = &mut plan.stations[station];
-                if at.position == 0.0 {
-                    plan.left.load = unit;
-                } else if at.position == model.length() {
-                    plan.right.load = unit;
+        let stays = matches!(
+            of.quantity,
+            Quantity::Motion(Target::Beam(Place::Position(x), _), _) if x == model.length()
+        );
+        for (factor, read) in &sum.terms {
+            let Read { station, row } = bare.reads[*read];
+            match row {
+                Row::Motion(motion, arm) => {
+                    let mut load = [ZERO; 6];
+                    load[BeamMotion::Psi as usize] = (factor * arm).into();
+                    load[motion as usize] = (*factor).into();
+                    put(&mut plan, station, &load, model.length());
                     if stays {
-                        held = unit;
+                        held = load;
                     }
-                } else {
-                    at.event = Event::Load(unit);
                 }
-                (Reading::Beam(station, motion, arm), measure)
-            }
-            // No load gives its derivatives.
-            Output::MeanTwistRate { stations, measure } => {
-                (Reading::MeanTwistRate(stations), measure)
-            }
-            Output::Mass {
-                station,
-                motion,
-                measure,
-            } => {
-                if let Event::Attachment(attachment) = &mut plan.stations[station].event {
-                    attachment.load[motion as usize] = Complex64::ONE;
+                Row::Mass(motion) => {
+                    if let Event::Attachment(attachment) = &mut plan.stations[station].event {
+                        attachment.load[motion as usize] = (*factor).into();
+                    }
                 }
-                let index = masses.iter().position(|&mass| mass == station);
-                (
-                    Reading::Mass(index.unwrap_or_default(), motion as usize),
-                    measure,
-                )
             }
-        };
-        Self::Motion(Box::new(Motion {
+        }
+        Self {
             prepared: Prepared::whole(plan),
-            measure,
-            response,
-            reading,
+            sum: sum.clone(),
+            response: index,
             held,
-        }))
+        }
+    }
+}
+
+/// Puts a load at a probe; at an end it is part of the equations of the support.
+fn put(plan: &mut Plan, station: usize, load: &[Complex64; 6], length: f64) {
+    let at = &mut plan.stations[station];
+    if at.position == 0.0 {
+        plan.left.load = *load;
+    } else if at.position == length {
+        plan.right.load = *load;
+    } else {
+        at.event = Event::Load(*load);
     }
 }
 

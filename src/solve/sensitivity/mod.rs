@@ -25,6 +25,7 @@ use num_complex::Complex64;
 
 use super::kernel::Prepared;
 use super::linear::ZERO;
+use super::output::{Read, Row, Sum};
 use super::plan::Plan;
 use super::solution::Solution;
 use crate::model::schema::Kind;
@@ -33,7 +34,7 @@ use crate::model::{
 };
 pub use effect::{Figure, Sensitivity, effects};
 
-use adjoint::{Adjoint, Motion, Reading, factor};
+use adjoint::{Adjoint, Influence, factor};
 use field::{Field, Reader, Setting};
 use forces::Force;
 pub use mean_square::MeanSquareGradient;
@@ -90,7 +91,7 @@ impl Differentiator {
         let masses = plan.mass_stations(model);
         Self {
             parameters: Parameters::of(model),
-            adjoints: Adjoint::all(model, &plan, &masses),
+            adjoints: Adjoint::all(model, &plan),
             forces: Force::all(model),
             model: model.clone(),
             masses,
@@ -144,7 +145,7 @@ impl Differentiator {
 
     fn gradient(&self, forced: &Forced<'_>, adjoint: &Adjoint) -> Gradient {
         match adjoint {
-            Adjoint::Motion(motion) => self.of_motion(forced, motion),
+            Adjoint::Sum(influence) => self.of_sum(forced, influence),
             Adjoint::Held(response) => self.of_held(forced, *response),
             Adjoint::Energy => self.of_energy(forced.setting.omega.re),
         }
@@ -201,12 +202,12 @@ impl Differentiator {
         gradient
     }
 
-    fn of_motion(&self, forced: &Forced<'_>, motion: &Motion) -> Gradient {
+    fn of_sum(&self, forced: &Forced<'_>, influence: &Influence) -> Gradient {
         let setting = Setting {
-            plan: &motion.prepared.plan,
+            plan: &influence.prepared.plan,
             ..forced.setting
         };
-        let solution = motion.prepared.solution(setting.omega);
+        let solution = influence.prepared.solution(setting.omega);
         let lambda = Field::new(&setting, &solution);
         let spans = [&solution.spans[..], &forced.solution.spans];
         let product = Product {
@@ -217,21 +218,20 @@ impl Differentiator {
                 .spans
                 .overlaps(&self.prepared.plan, &solution.waves, spans),
         };
-        let mut by_parameter =
-            product.by_parameter(self.ids(), [&motion.held, &forces::held(&self.forces)]);
+        let held = [&influence.held, &forces::held(&self.forces)];
+        let mut by_parameter = product.by_parameter(self.ids(), held);
         let reader = Reader::new(setting.plan, &solution);
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
         }
-        by_parameter.extend(self.by_points(forced, Some(motion)));
-        let [times, growth] = factor(motion.measure, setting.omega);
+        by_parameter.extend(self.by_points(forced, influence));
+        let [times, growth] = factor(influence.sum.measure, setting.omega);
         let mut by_frequency = product.by_omega();
-        let is_unknown = match motion.reading {
-            Reading::Beam(station, BeamMotion::PsiSlope, _)
-            | Reading::MeanTwistRate([station, _]) => setting.plan.beam(station).without_warping(),
-            Reading::Beam(..) | Reading::Mass(..) => false,
+        let is_unknown = |Read { station, row }: Read| {
+            let is_rate = matches!(row, Row::Motion(BeamMotion::PsiSlope, _));
+            is_rate && setting.plan.beam(station).without_warping()
         };
-        if is_unknown {
+        if self.terms(&influence.sum).any(|(_, read)| is_unknown(read)) {
             let unknown = Complex64::new(f64::NAN, f64::NAN);
             by_parameter.fill(unknown);
             by_frequency = unknown;
@@ -239,54 +239,64 @@ impl Differentiator {
         for value in &mut by_parameter {
             *value *= times;
         }
-        let moved = self.read(forced, motion.reading);
+        let terms = self.terms(&influence.sum);
+        let value: Complex64 = terms
+            .map(|(factor, read)| factor * self.read(forced, read))
+            .sum();
         Gradient {
-            value: times * moved,
-            by_frequency: TAU * (growth * moved + times * by_frequency),
+            value: times * value,
+            by_frequency: TAU * (growth * value + times * by_frequency),
             by_parameter,
         }
     }
 
-    /// The change of a motion by the points of all responses, in the order of the rows: it depends on its own point only.
-    fn by_points(&self, forced: &Forced<'_>, motion: Option<&Motion>) -> Vec<Complex64> {
-        let reader = Reader::new(&self.prepared.plan, &forced.solution);
-        let own = motion.map(|motion| (motion.response, motion.reading));
-        let enabled = self
-            .model
-            .responses
-            .iter()
-            .filter(|of| of.enabled)
-            .enumerate();
-        let by = enabled.filter_map(|(index, response)| {
-            let Quantity::Motion(target, _) = &response.quantity else {
-                return None;
-            };
-            let twist = match own {
-                Some((own, Reading::Beam(station, ..))) if own == index => {
-                    reader.end(station).motion[BeamMotion::Psi as usize]
-                }
-                _ => ZERO,
-            };
-            match target {
-                Target::Beam(_, BeamMotion::W) => Some(twist),
-                Target::Beam(_, BeamMotion::V) => Some(-twist),
-                Target::Beam(..) | Target::Mass(..) => None,
-            }
-        });
-        by.collect()
+    /// The reads of a sum with their factors.
+    fn terms(&self, sum: &Sum) -> impl Iterator<Item = (f64, Read)> {
+        let reads = &self.prepared.plan.reads;
+        let terms = sum.terms.iter();
+        terms.map(|(factor, read)| (*factor, reads[*read]))
     }
 
-    /// A motion under the forces of the model.
-    fn read(&self, forced: &Forced<'_>, reading: Reading) -> Complex64 {
+    /// The change of a motion by the points of all responses, in the order of the rows: it depends on its own point only.
+    fn by_points(&self, forced: &Forced<'_>, influence: &Influence) -> Vec<Complex64> {
         let reader = Reader::new(&self.prepared.plan, &forced.solution);
-        let rate = |station: usize| reader.end(station).motion[BeamMotion::PsiSlope as usize];
-        match reading {
-            Reading::Mass(index, motion) => forced.field.masses[index].motion[motion],
-            Reading::Beam(station, motion, arm) => {
+        let twist = self.terms(&influence.sum).map(|(factor, read)| {
+            let moved = reader.end(read.station).motion;
+            match read.row {
+                Row::Motion(BeamMotion::W, _) => factor * moved[BeamMotion::Psi as usize],
+                Row::Motion(BeamMotion::V, _) => -factor * moved[BeamMotion::Psi as usize],
+                Row::Motion(..) | Row::Mass(_) => ZERO,
+            }
+        });
+        let own: Complex64 = twist.sum();
+        let enabled = self.model.responses.iter().filter(|of| of.enabled);
+        let enabled = enabled.enumerate();
+        let with_point = enabled.filter(|(_, response)| response.has_point());
+        with_point
+            .map(|(index, _)| {
+                if index == influence.response {
+                    own
+                } else {
+                    ZERO
+                }
+            })
+            .collect()
+    }
+
+    /// A row of the state under the forces of the model.
+    fn read(&self, forced: &Forced<'_>, Read { station, row }: Read) -> Complex64 {
+        match row {
+            Row::Mass(motion) => {
+                let index = self.masses.iter().position(|&mass| mass == station);
+                index.map_or(ZERO, |index| {
+                    forced.field.masses[index].motion[motion as usize]
+                })
+            }
+            Row::Motion(motion, arm) => {
+                let reader = Reader::new(&self.prepared.plan, &forced.solution);
                 let moved = reader.end(station).motion;
                 moved[motion as usize] + arm * moved[BeamMotion::Psi as usize]
             }
-            Reading::MeanTwistRate([before, after]) => 0.5 * (rate(before) + rate(after)),
         }
     }
 }

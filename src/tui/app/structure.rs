@@ -10,7 +10,7 @@ use super::new_item::{
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::{
-    BeamMotion, Checked, Force, Group, Joint, Measure, Model, Place, Point, Quantity, Response,
+    At, BeamMotion, Checked, Force, Group, Joint, Measure, Model, Place, Point, Quantity, Response,
     SupportId, Target,
 };
 use crate::tui::keys::{Command, CompareCommand, TuneCommand};
@@ -252,7 +252,10 @@ fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
 
 /// Names the force or response on the mass of a subsystem.
 fn mass_user(model: &Model, name: &String) -> Option<String> {
-    let on = |group| matches!(edit::target_of(model, group), Some(Target::Mass(mass, _)) if mass == name);
+    let on = |group| {
+        let target = edit::target_of(model, group);
+        target.map(Target::at) == Some(At::Subsystem(name))
+    };
     let force = Group::Forces.groups(model).into_iter().position(on);
     let mut responses = Group::Responses.groups(model).into_iter();
     let response = responses.position(on);

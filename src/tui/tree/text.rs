@@ -7,8 +7,7 @@ use crate::model::edit::Value;
 use crate::model::schema::{self, ElasticKey, LinkKey, Wording};
 use crate::model::{
     BeamMotion, Bedding, Family, Foundation, Group, Link, Model, Parameter, ParameterId, Place,
-    Point, Quantity, Response, Restraint, Study, SupportId, Supports, Sweep, Target, Unit, counted,
-    grouped,
+    Point, Response, Restraint, Study, SupportId, Supports, Sweep, Target, Unit, counted, grouped,
 };
 use crate::tune::words;
 
@@ -218,9 +217,9 @@ fn band(sweep: &Sweep) -> String {
 }
 
 fn quantity(response: &Response) -> String {
-    match &response.quantity {
-        Quantity::Energy => "energy".to_owned(),
-        Quantity::Motion(at, _) => target(at, response.point),
+    match response.quantity.target() {
+        None => response.quantity.word().to_owned(),
+        Some(at) => target(at, response.point),
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::beam::BeamMotion;
 use super::part::{BeamNumber, Part};
-use super::quantity::Quantity;
 use super::schema::{self, Key, Kind};
 use super::types::{Link, Model, Restraint, Support, Target};
 
@@ -527,11 +526,12 @@ impl ParameterId {
                 support.support(model)[motion] != Restraint::Fixed
             }
             (Group::Link(joint, motion), _) => model.joints[joint][motion] != Link::Rigid,
-            (Group::Response(index), Kind::Place | Kind::Direction) => {
-                model.responses[index].quantity != Quantity::Energy
+            (Group::Response(index), Kind::Place | Kind::Direction | Kind::Over) => {
+                !model.responses[index].quantity.is_quadratic()
             }
             (group, _) => self.moved_by_twist().is_none_or(|motion| {
-                let target = super::edit::target_of(model, group);
+                let target =
+                    super::edit::Placed::of(model, group).and_then(super::edit::Placed::target);
                 matches!(target, Some(Target::Beam(_, own)) if *own == motion)
             }),
         }

@@ -31,6 +31,7 @@ mod id;
 mod moves;
 mod part;
 pub mod path;
+mod place;
 mod quantity;
 pub(crate) mod read;
 pub mod schema;

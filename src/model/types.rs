@@ -387,6 +387,10 @@ pub enum At<'a> {
     Beam(Place),
     /// At the subsystem with this name.
     Subsystem(&'a str),
+    /// At the inner support with this name.
+    Support(&'a str),
+    /// At all supports.
+    Ground,
 }
 
 /// A motion of the beam at a position, or of a subsystem's mass.
@@ -431,10 +435,9 @@ impl Target {
     /// The load that acts along it.
     pub const fn load(&self) -> Load {
         match self {
-            Self::Beam(_, BeamMotion::W | BeamMotion::V)
-            | Self::Mass(_, MassMotion::Y | MassMotion::Z) => Load::Force,
-            Self::Beam(_, BeamMotion::PsiSlope) => Load::Bimoment,
-            Self::Beam(..) | Self::Mass(_, MassMotion::Theta) => Load::Moment,
+            Self::Beam(_, motion) => motion.load(),
+            Self::Mass(_, MassMotion::Y | MassMotion::Z) => Load::Force,
+            Self::Mass(_, MassMotion::Theta) => Load::Moment,
         }
     }
 }

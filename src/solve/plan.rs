@@ -7,12 +7,12 @@ use num_complex::Complex64;
 use super::attachment::Attachment;
 use super::beam_state::BeamState;
 use super::linear::ZERO;
-use super::output::{Output, Read, Row, Sum};
-use super::springs::{restraint_stiffness, stiffness};
+use super::output::{Holds, Output, Read, Row, Sum};
+use super::springs::{restraint_stiffness, rows, stiffness};
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, Elastic, Measure, Model, Place, Point, Quantity, Restraint, Spring, Support,
-    SupportId, Target, UniformPart,
+    BeamMotion, Elastic, Holder, Measure, Model, Place, Quantity, Reaction, Response, Restraint,
+    Spring, SpringName, Subsystem, Support, SupportId, Target, UniformPart,
 };
 
 /// The part of a model that does not depend on the frequency.
@@ -51,6 +51,8 @@ pub(super) struct Held {
     pub(super) support: Support,
     /// Loads along the six motions of the axis, N and N m.
     pub(super) load: [Complex64; 6],
+    /// The motions of the ground, along those of its point, m and rad: springs stretch by less, and fixed motions follow.
+    pub(super) ground: [Complex64; 6],
     /// Whether the beam there has no warping stiffness.
     pub(super) without_warping: bool,
 }
@@ -69,6 +71,7 @@ impl Held {
         Self {
             support,
             load: [ZERO; 6],
+            ground: [ZERO; 6],
             without_warping,
         }
     }
@@ -85,11 +88,12 @@ impl Held {
     /// The motions of the axis without the rounding of those that it fixes.
     pub(super) fn held(&self, axis: &[Complex64; 6]) -> [Complex64; 6] {
         BeamMotion::ALL.map(|motion| {
-            if self.fixes(motion, 0.0) {
-                ZERO
-            } else {
-                axis[motion as usize]
+            if !self.fixes(motion, 0.0) {
+                return axis[motion as usize];
             }
+            // With an arm the twist is fixed, too.
+            let arm = self.support.point.arm(motion).unwrap_or_default();
+            self.ground[motion as usize] - arm * self.ground[BeamMotion::Psi as usize]
         })
     }
 
@@ -114,7 +118,10 @@ impl Held {
                 None => before[row] - after[row] - loads[row],
                 // A free motion may be infinite.
                 Some(k) if k == ZERO => ZERO,
-                Some(k) => -k * motions[row],
+                Some(k) => {
+                    let spring = stiffness(omega, self.support[motion].elastic().into());
+                    spring * self.ground[row] - k * motions[row]
+                }
             }
         })
     }
@@ -182,6 +189,8 @@ pub(super) enum Event {
     Junction(usize),
     /// Loads along the six motions.
     Load([Complex64; 6]),
+    /// A gap: jumps of the six motions, right minus left, m and rad.
+    Gap([Complex64; 6]),
     /// Only a position to read a response.
     Probe,
 }
@@ -201,10 +210,11 @@ impl Plan {
     pub(super) fn output_of(&mut self, read: Read) -> Output {
         let terms = vec![(1.0, self.reads.len())];
         self.reads.push(read);
-        Output::Sum(Sum {
+        let sum = Sum {
             terms,
             measure: Measure::Displacement,
-        })
+        };
+        Output::Sum(sum, None)
     }
 
     /// The same on a beam of another length, m, with additional probes, m from the left end.
@@ -262,6 +272,7 @@ impl Plan {
             | Event::Joint(_)
             | Event::Junction(_)
             | Event::Load(_)
+            | Event::Gap(_)
             | Event::Probe => None,
         })
     }
@@ -283,6 +294,7 @@ impl Plan {
             | Event::Support(_)
             | Event::Junction(_)
             | Event::Load(_)
+            | Event::Gap(_)
             | Event::Probe => None,
         })
     }
@@ -296,7 +308,11 @@ impl Plan {
         let is_before = |index: usize, event: &Event| match event {
             Event::Joint(_) => true,
             Event::Junction(_) => self.beam(first + index).without_warping(),
-            Event::Attachment(_) | Event::Support(_) | Event::Load(_) | Event::Probe => false,
+            Event::Attachment(_)
+            | Event::Support(_)
+            | Event::Load(_)
+            | Event::Gap(_)
+            | Event::Probe => false,
         };
         let before = here.filter(|(index, of)| is_before(*index, &of.event));
         first + before.last().map_or(0, |(index, _)| index + 1)
@@ -391,24 +407,44 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Without warping stiffness a rate of twist is also read before what acts at its position, except at the left end.
+    /// The positions where a response is read before everything that acts there.
     fn place_first_probes(&mut self) {
-        for response in self.model.responses.iter().filter(|r| r.enabled) {
-            if let Quantity::Motion(Target::Beam(place, BeamMotion::PsiSlope), _) =
-                response.quantity
-            {
-                let position = self.x(place);
-                let is_new = self.stations.iter().all(|s| s.position != position);
-                let without_warping = !UniformPart::at(&self.parts, position).warps();
-                if position != 0.0 && without_warping && is_new && self.acts_at(position) {
-                    self.stations.push(Station {
-                        position,
-                        event: Event::Probe,
-                    });
-                }
-            }
-        }
+        let first = self
+            .model
+            .computed()
+            .filter_map(|of| self.is_read_first(of));
+        let mut positions: Vec<f64> = first.collect();
+        positions.sort_by(f64::total_cmp);
+        positions.dedup();
+        let probes = positions.into_iter().map(|position| Station {
+            position,
+            event: Event::Probe,
+        });
+        self.stations.extend(probes);
         self.first_probes = self.stations.len();
+    }
+
+    /// The position of a response that is also, or only, read before everything that acts there: without warping stiffness a rate
+    /// of twist, except at the left end; a reaction at the left end; an internal force at the right end.
+    fn is_read_first(&self, response: &Response) -> Option<f64> {
+        match response.quantity {
+            Quantity::Motion(Target::Beam(place, BeamMotion::PsiSlope), _) => {
+                let x = self.x(place);
+                let without_warping = !UniformPart::at(&self.parts, x).warps();
+                (x != 0.0 && without_warping && self.acts_at(x)).then_some(x)
+            }
+            Quantity::Reaction(Reaction::Support(Holder::Left, _) | Reaction::Ground(_)) => {
+                Some(0.0)
+            }
+            Quantity::InternalForce(place, _) => {
+                let length = self.model.length();
+                (self.x(place) == length).then_some(length)
+            }
+            Quantity::Motion(..)
+            | Quantity::Reaction(_)
+            | Quantity::Spring(..)
+            | Quantity::Energy => None,
+        }
     }
 
     /// Where those parts end that are so.
@@ -467,8 +503,8 @@ impl<'a> Layout<'a> {
         for subsystem in self.model.attached() {
             self.masses.insert(&subsystem.name, self.stations.len());
             let mut attachment = Attachment::new(subsystem);
-            attachment.held = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V]
-                .map(|motion| self.is_held(subsystem.position, motion, 0.0));
+            attachment.held =
+                DISPLACEMENTS.map(|motion| self.is_held(subsystem.position, motion, 0.0));
             self.stations.push(Station {
                 position: subsystem.position,
                 event: Event::Attachment(Box::new(attachment)),
@@ -539,15 +575,59 @@ impl<'a> Layout<'a> {
 
     fn place_probes(&mut self) {
         for response in self.model.responses.iter().filter(|r| r.enabled) {
-            let output = match &response.quantity {
-                Quantity::Energy => Output::Energy,
-                Quantity::Motion(target, measure) => Output::Sum(Sum {
-                    terms: self.motion(target, response.point),
-                    measure: *measure,
-                }),
+            let output = match self.sum(response) {
+                Some(sum) => {
+                    let divisor = response.divisor(self.model);
+                    Output::Sum(sum, divisor.and_then(|divisor| self.sum(divisor)))
+                }
+                None => Output::Energy,
             };
             self.outputs.push(output);
         }
+    }
+
+    /// The rows of a response; none for an energy.
+    fn sum(&mut self, response: &Response) -> Option<Sum> {
+        let mut measure = Measure::Displacement;
+        let terms = match &response.quantity {
+            Quantity::Motion(Target::Beam(place, motion), of) => {
+                measure = *of;
+                let arm = response.point.arm(*motion).unwrap_or_default();
+                self.motion_of_beam(self.x(*place), *motion, arm)
+            }
+            Quantity::Motion(Target::Mass(name, motion), of) => {
+                measure = *of;
+                self.of_mass(name, Row::Mass(*motion))
+            }
+            Quantity::Reaction(Reaction::Support(holder, motion)) => {
+                let id = SupportId::all(self.model).find(|id| id.name(self.model) == holder.name());
+                id.map_or_else(Vec::new, |id| self.reaction(id, *motion))
+            }
+            Quantity::Reaction(Reaction::Ground(across)) => {
+                let all = SupportId::all(self.model);
+                all.flat_map(|id| self.reaction(id, (*across).into()))
+                    .collect()
+            }
+            Quantity::InternalForce(place, motion) => {
+                let x = self.x(*place);
+                let station = if x == self.model.length() {
+                    self.first_probe(x)
+                } else {
+                    Some(self.probe(x))
+                };
+                let terms = station.map(|station| self.term(1.0, station, Row::Force(*motion)));
+                terms.into_iter().collect()
+            }
+            Quantity::Spring(name, spring, of) => {
+                if let Some(station) = self.masses.get(name.as_str()) {
+                    // Where the load of its derivatives acts.
+                    self.probe(self.stations[*station].position);
+                }
+                self.of_mass(name, Row::Spring(*spring, *of))
+            }
+            Quantity::Energy => return None,
+        };
+        Some(Sum { terms, measure })
     }
 
     /// One more read, as a term of a sum.
@@ -556,19 +636,43 @@ impl<'a> Layout<'a> {
         (factor, self.reads.len() - 1)
     }
 
-    /// A motion, of the beam at a point of the section; no terms for one that a support fixes.
-    fn motion(&mut self, target: &Target, point: Point) -> Vec<(f64, usize)> {
-        match target {
-            Target::Beam(place, motion) => {
-                let arm = point.arm(*motion).unwrap_or_default();
-                self.motion_of_beam(self.x(*place), *motion, arm)
-            }
-            // A checked model has no enabled response on a disabled subsystem.
-            Target::Mass(name, motion) => match self.masses.get(name.as_str()) {
-                Some(&station) => vec![self.term(1.0, station, Row::Mass(*motion))],
-                None => Vec::new(),
-            },
+    /// A row at a subsystem; a checked model has no response on a disabled one.
+    fn of_mass(&mut self, name: &str, row: Row) -> Vec<(f64, usize)> {
+        let station = self.masses.get(name).copied();
+        let term = station.map(|station| self.term(1.0, station, row));
+        term.into_iter().collect()
+    }
+
+    /// The reaction of a support, with what subsystems at its place put on a motion that it fixes.
+    fn reaction(&mut self, id: SupportId, motion: BeamMotion) -> Vec<(f64, usize)> {
+        let x = id.position(self.model);
+        let (holds, station) = match id {
+            SupportId::Left => (Holds::Left, self.first_probe(x)),
+            SupportId::Right => (Holds::Right, Some(self.probe(x))),
+            SupportId::Inner(index) => (Holds::Station, Some(self.supports.start + index)),
+        };
+        let held = match (id, station.map(|station| &self.stations[station].event)) {
+            (SupportId::Left, _) => &self.left,
+            (SupportId::Right, _) => &self.right,
+            (SupportId::Inner(_), Some(Event::Support(held))) => held,
+            (SupportId::Inner(_), _) => return Vec::new(),
+        };
+        // Without warping stiffness no bimoment reaches a support.
+        if motion == BeamMotion::PsiSlope && held.without_warping {
+            return Vec::new();
         }
+        let own = station.map(|station| (1.0, station, Row::Reaction(holds, motion)));
+        let here = self.model.attached().filter(|of| of.position == x);
+        let passed = here.flat_map(|subsystem| {
+            let station = self.masses[&*subsystem.name];
+            let springs = passed_on(held, motion, subsystem);
+            springs.map(move |(factor, spring)| (factor, station, Row::OnFixed(spring)))
+        });
+        let all: Vec<_> = own.into_iter().chain(passed).collect();
+        let terms = all.into_iter();
+        terms
+            .map(|(factor, station, row)| self.term(factor, station, row))
+            .collect()
     }
 
     /// The rate of twist jumps at a torque without warping stiffness, at a load, a subsystem, a support or a joint between the
@@ -580,12 +684,10 @@ impl<'a> Layout<'a> {
             return Vec::new();
         }
         let row = Row::Motion(motion, arm);
-        let firsts = self.stations[..self.first_probes].iter();
-        let first = firsts
-            .enumerate()
-            .find(|(_, of)| of.position == x)
-            .filter(|_| motion == BeamMotion::PsiSlope);
-        match first.map(|(station, _)| station) {
+        let without_warping = !UniformPart::at(&self.parts, x).warps();
+        let is_rate = motion == BeamMotion::PsiSlope && without_warping && x != 0.0;
+        let first = self.first_probe(x).filter(|_| is_rate);
+        match first {
             Some(first) if x == self.model.length() => vec![self.term(1.0, first, row)],
             Some(first) => {
                 let last = self.probe(x);
@@ -596,6 +698,12 @@ impl<'a> Layout<'a> {
                 vec![self.term(1.0, station, row)]
             }
         }
+    }
+
+    /// The station of the probe before everything at a position.
+    fn first_probe(&self, position: f64) -> Option<usize> {
+        let mut firsts = self.stations[..self.first_probes].iter();
+        firsts.position(|of| of.position == position)
     }
 
     /// The station of a probe after everything at a position.
@@ -648,6 +756,33 @@ impl<'a> Layout<'a> {
     }
 }
 
+/// The springs of a subsystem that act on motions which a support at its place fixes, with the share of each that the support
+/// takes along one of its motions.
+fn passed_on(
+    held: &Held,
+    motion: BeamMotion,
+    subsystem: &Subsystem,
+) -> impl Iterator<Item = (f64, SpringName)> {
+    let [across, left, right] = rows(subsystem).map(|stretch| {
+        // The forces on the beam's axis where it does not move.
+        let mut forces = [ZERO; 6];
+        for (own, share) in DISPLACEMENTS.into_iter().zip(stretch.beam) {
+            if held.fixes(own, 0.0) {
+                forces[own as usize] = share.into();
+            }
+        }
+        held.support.point.forces(&forces)[motion as usize].re
+    });
+    let is_fixed = held.support[motion] == Restraint::Fixed;
+    let shares = [across, across, left, right]
+        .into_iter()
+        .zip(SpringName::ALL);
+    shares.filter(move |(share, _)| is_fixed && *share != 0.0)
+}
+
+/// The displacements of the axis, in the order of the rows of springs.
+const DISPLACEMENTS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
+
 /// The supports at a distance from the left end of a beam of a length, both m, by its ends and some stations.
 fn held_at<'a>(
     x: f64,
@@ -665,6 +800,7 @@ fn held_at<'a>(
             | Event::Junction(_)
             | Event::Attachment(_)
             | Event::Load(_)
+            | Event::Gap(_)
             | Event::Probe => None,
         });
     let ends = ends.into_iter().filter(|(_, is_here)| *is_here);

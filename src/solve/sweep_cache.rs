@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::Cancelled;
 use super::kernel::{MOST_LANES, Prepared, SideBatch, Solver, Source, Substructure};
-use super::output::Read;
+use super::output::{Holds, Read, Row};
 use super::plan::{Event, Plan};
 use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
 use super::waves::BeamConstants;
@@ -254,18 +254,28 @@ fn common(one: &Plan, other: &Plan) -> Part {
     );
     let last = |plan: &Plan| plan.kinds[plan.last_span()].length;
     let ends_there = last(one) == last(other);
-    Part {
-        left: if one.left == other.left {
-            from_left.min(differ_left)
-        } else {
-            0
-        },
-        right: if one.right == other.right && ends_there {
-            from_right.min(differ_right)
-        } else {
-            0
-        },
+    // The reaction of an end that differs is read in the part, too.
+    let beside = |holds: Holds, plan: &Plan, place: fn(usize, usize) -> usize| {
+        let reads = plan.reads.iter();
+        let own = reads.filter(move |read| matches!(read.row, Row::Reaction(of, _) if of == holds));
+        let places = own.map(|read| place(read.station, plan.stations.len()));
+        places.min().unwrap_or(usize::MAX)
+    };
+    let both = |holds, place| beside(holds, one, place).min(beside(holds, other, place));
+    let mut common = Part {
+        left: from_left.min(differ_left),
+        right: from_right.min(differ_right),
+    };
+    if one.left != other.left {
+        let from_there = both(Holds::Left, |station, count| count - 1 - station);
+        common.left = 0;
+        common.right = common.right.min(from_there);
     }
+    if one.right != other.right || !ends_there {
+        common.left = common.left.min(both(Holds::Right, |station, _| station));
+        common.right = 0;
+    }
+    common
 }
 
 /// The first station, counted by `place` from one of the ends, at which two lists of reads differ.

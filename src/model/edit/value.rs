@@ -2,10 +2,10 @@
 
 use super::rename;
 use super::target;
-use crate::model::beam::{Beam, BeamMotion, Point, Span};
+use crate::model::beam::{Beam, BeamMotion, Span};
 use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::path;
-use crate::model::quantity::Quantity;
+use crate::model::place;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::toml_literal::format_number;
 use crate::model::types::{Elastic, Link, Model, Restraint, Spring, Support};
@@ -24,6 +24,9 @@ pub enum Value {
     /// Free text, a name, or a position: `left`, `right`, `1.6 m`, a subsystem's name.
     Text(String),
 }
+
+/// The text of a response that no other one divides.
+const NO_DIVISOR: &str = "none";
 
 impl Value {
     /// Its number.
@@ -183,7 +186,11 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
         (Group::Response(index), Kind::Measure) => {
             Value::Choice(model.responses[index].quantity.word())
         }
-        (_, Kind::Place) => Value::Text(target::place(target()?)),
+        (Group::Response(index), Kind::Over) => {
+            let over = model.responses[index].over.as_deref();
+            Value::Text(over.unwrap_or(NO_DIVISOR).to_owned())
+        }
+        (_, Kind::Place) => Value::Text(place::text(target()?.at())),
         _ => Value::Choice(target()?.direction()),
     })
 }
@@ -220,6 +227,28 @@ fn rigid(model: &Model, joint: usize, motion: BeamMotion, key: &Key) -> String {
     format!("{motion} is rigid there, so it has no {key}; {link} must be free or elastic first")
 }
 
+/// The values of a position, or of the response that divides another one, that are words or names, in their order: the ends
+/// and what has a name, of the subsystems those enabled; none and the responses that can divide.
+pub fn names(model: &Model, id: ParameterId) -> Vec<Value> {
+    let texts = match (id.group, id.key().kind) {
+        (group, Kind::Place) => {
+            let placed = target::Placed::of(model, group);
+            placed.map_or_else(Vec::new, |placed| placed.places(model).texts(model))
+        }
+        (Group::Response(index), Kind::Over) => {
+            let own = &model.responses[index].name;
+            let all = model.responses.iter();
+            let can_divide = all.filter(|of| of.is_linear() && of.name != *own);
+            let names = can_divide.map(|of| of.name.clone());
+            std::iter::once(NO_DIVISOR.to_owned())
+                .chain(names)
+                .collect()
+        }
+        _ => Vec::new(),
+    };
+    texts.into_iter().map(Value::Text).collect()
+}
+
 /// Writes a value, without a check of the result.
 ///
 /// # Errors
@@ -231,15 +260,15 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         (group, Kind::Name) => rename::element(model, group, &value.text()?),
         (group, Kind::Place) => target::place_at(model, group, value)?,
         (group, Kind::Direction) => target::turn(model, group, &value)?,
+        (Group::Response(index), Kind::Over) => {
+            let name = value.text()?;
+            let is_none = name.trim().is_empty() || name == NO_DIVISOR;
+            model.responses[index].over = (!is_none).then_some(name);
+        }
         (Group::Response(index), Kind::Measure) => {
-            let (response, word) = (&mut model.responses[index], value.word()?);
-            response.quantity = response.quantity.of_word(word).ok_or_else(|| {
-                let words = Quantity::words().join(", ");
-                format!("is {word:?}; must be one of {words}")
-            })?;
-            if !response.has_point() {
-                response.point = Point::AXIS;
-            }
+            let old = &model.responses[index].quantity;
+            let new = old.of_word(value.word()?, model)?;
+            model.responses[index].set_quantity(new);
         }
         (Group::Support(support), Kind::Support) => {
             put_support(support.support_mut(model), value.word()?)?;

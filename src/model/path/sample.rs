@@ -238,6 +238,7 @@ fn responses(names: &[&str]) -> Vec<Response> {
         enabled: true,
         quantity,
         point: Point::AXIS,
+        over: None,
     };
     let w = Target::Beam(Place::Right, BeamMotion::W);
     let mut all = vec![

@@ -56,7 +56,7 @@ impl Prepared {
             constants: plan.beams.iter().map(Constants::new).collect(),
             has_actions: plan.stations.iter().any(|of| match of.event {
                 Event::Support(_) | Event::Joint(_) | Event::Junction(_) => true,
-                Event::Attachment(_) | Event::Load(_) | Event::Probe => false,
+                Event::Attachment(_) | Event::Load(_) | Event::Gap(_) | Event::Probe => false,
             }),
             plan,
             reads,
@@ -195,11 +195,11 @@ impl<A: Arithmetic> Room<A> {
         Read { station, row }: Read,
         part: Part,
     ) -> Complex<A> {
-        let event = &prepared.plan.stations[station].event;
         let Some(read) = prepared.reads[station] else {
             return Complex::ZERO;
         };
-        self.states[read].row(event, prepared.waves_of(all, station), row, part)
+        let waves = prepared.waves_of(all, station);
+        self.states[read].row(&prepared.plan, station, waves, row, part)
     }
 
     #[inline(always)]
@@ -314,6 +314,7 @@ impl<A: Arithmetic> Room<A> {
                 }
             }
             Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), side),
+            Event::Gap(gap) => at.load(waves, &Jumps::of_gap(waves, gap), side),
             Event::Probe => {}
         }
     }
@@ -399,17 +400,14 @@ impl<A: Arithmetic> Room<A> {
                 add(b, &sent);
                 sent
             }
-            Event::Support(held) => self.send(index, waves, Acting::Support(held), b),
-            Event::Joint(joined) => self.send(index, waves, Acting::Joint(joined), b),
+            Event::Support(held) => self.send(index, waves, Acting::Support(held), b, read),
+            Event::Joint(joined) => self.send(index, waves, Acting::Joint(joined), b, read),
             Event::Junction(_) => {
                 *b = self.actions[index].part(b, true);
                 [Complex::ZERO; 6]
             }
-            Event::Load(load) => {
-                let jumps = Jumps::of_load(waves, load);
-                add(b, &jumps.sent(Side::Right));
-                jumps.sent(Side::Left)
-            }
+            Event::Load(load) => pass_jumps(&Jumps::of_load(waves, load), b),
+            Event::Gap(gap) => pass_jumps(&Jumps::of_gap(waves, gap), b),
             Event::Probe => [Complex::ZERO; 6],
         }
     }
@@ -417,15 +415,18 @@ impl<A: Arithmetic> Room<A> {
     /// The same over a support or joint.
     #[inline(always)]
     fn send(
-        &self,
+        &mut self,
         index: usize,
         waves: &Waves<A>,
         acting: Acting<'_>,
         b: &mut Amplitudes<A>,
+        read: Option<usize>,
     ) -> Amplitudes<A> {
-        let jumps = self.actions[index].sent(waves, acting, b, true);
-        add(b, &jumps.sent(Side::Right));
-        jumps.sent(Side::Left)
+        let actions = self.actions[index].part(b, true);
+        if let Some(read) = read {
+            self.states[read].actions = actions;
+        }
+        pass_jumps(&acting.sent(waves, actions), b)
     }
 
     /// Moves b' to the left over the span before a station; `start` is the reflection at the other end of the span.
@@ -462,6 +463,13 @@ impl<A: Arithmetic> Room<A> {
         times(&mut amplitudes, &waves.radiation);
         self.forms[span].of(a, &amplitudes, energy);
     }
+}
+
+/// Adds to b' what jumps send to the left; returns what they send to the right.
+#[inline(always)]
+fn pass_jumps<A: Arithmetic>(jumps: &Jumps<A>, b: &mut Amplitudes<A>) -> Amplitudes<A> {
+    add(b, &jumps.sent(Side::Right));
+    jumps.sent(Side::Left)
 }
 
 /// exp(-kappa l); 1 over the length 0, also for the wave that decays at once.

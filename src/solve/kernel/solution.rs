@@ -73,9 +73,13 @@ impl Room<One> {
             | Event::Joint(_)
             | Event::Junction(_)
             | Event::Load(_)
+            | Event::Gap(_)
             | Event::Probe => MassSolution::default(),
         });
+        let reads = plan.reads.iter();
+        let reads = reads.map(|read| self.read(prepared, &all, *read, Part::Whole).lane(0));
         Solution {
+            reads: reads.collect(),
             waves: all.iter().map(Waves::plain).collect(),
             decays: self.decays.iter().map(plain).collect(),
             spans,

@@ -443,5 +443,6 @@ fn response(target: Target, point: Point) -> Response {
         enabled: true,
         quantity: Quantity::Motion(target, Measure::Displacement),
         point,
+        over: None,
     }
 }

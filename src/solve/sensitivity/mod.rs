@@ -23,6 +23,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use super::beam_state::BeamState;
 use super::kernel::Prepared;
 use super::linear::ZERO;
 use super::output::{Read, Row, Sum};
@@ -34,7 +35,7 @@ use crate::model::{
 };
 pub use effect::{Figure, Sensitivity, effects};
 
-use adjoint::{Adjoint, Influence, factor};
+use adjoint::{Adjoint, Influence, Part, factor};
 use field::{Field, Reader, Setting};
 use forces::Force;
 pub use mean_square::MeanSquareGradient;
@@ -91,7 +92,7 @@ impl Differentiator {
         let masses = plan.mass_stations(model);
         Self {
             parameters: Parameters::of(model),
-            adjoints: Adjoint::all(model, &plan),
+            adjoints: Adjoint::all(model, &plan, &masses),
             forces: Force::all(model),
             model: model.clone(),
             masses,
@@ -145,29 +146,31 @@ impl Differentiator {
 
     fn gradient(&self, forced: &Forced<'_>, adjoint: &Adjoint) -> Gradient {
         match adjoint {
-            Adjoint::Sum(influence) => self.of_sum(forced, influence),
-            Adjoint::Held(response) => self.of_held(forced, *response),
+            Adjoint::Sum(sum, None) => self.of_part(forced, sum),
+            Adjoint::Sum(sum, Some(over)) => {
+                let [sum, over] = [sum, over].map(|part| self.of_part(forced, part));
+                sum.over(&over)
+            }
             Adjoint::Energy => self.of_energy(forced.setting.omega.re),
+        }
+    }
+
+    fn of_part(&self, forced: &Forced<'_>, part: &Part) -> Gradient {
+        match part {
+            Part::Sum(influence) => self.of_sum(forced, influence),
+            Part::Held(response) => self.of_held(forced, *response),
         }
     }
 
     /// The derivatives of a motion that a support fixes: it depends only on the two points of the section, that of the
     /// response and that of the support, between which the twist has an arm.
-    fn of_held(&self, forced: &Forced<'_>, response: usize) -> Gradient {
+    fn of_held(&self, forced: &Forced<'_>, index: usize) -> Gradient {
         let mut gradient = Gradient {
             value: ZERO,
             by_frequency: ZERO,
             by_parameter: vec![ZERO; self.ids().len()],
         };
-        let mut enabled = self
-            .model
-            .responses
-            .iter()
-            .enumerate()
-            .filter(|(_, of)| of.enabled);
-        let Some((index, response)) = enabled.nth(response) else {
-            return gradient;
-        };
+        let response = &self.model.responses[index];
         let Quantity::Motion(Target::Beam(place, motion), measure) = &response.quantity else {
             return gradient;
         };
@@ -207,8 +210,16 @@ impl Differentiator {
             plan: &influence.prepared.plan,
             ..forced.setting
         };
-        let solution = influence.prepared.solution(setting.omega);
-        let lambda = Field::new(&setting, &solution);
+        let mut solution = influence.prepared.solution(setting.omega);
+        let mut edge = influence.edge.clone();
+        let mut lambda = Field::new(&setting, &solution);
+        if let Some(spring) = &influence.spring {
+            let pull = spring.pull(setting);
+            solution.scale(pull);
+            edge.scale(pull);
+            lambda.scale(pull);
+            lambda.strain(&setting, spring, pull);
+        }
         let spans = [&solution.spans[..], &forced.solution.spans];
         let product = Product {
             setting,
@@ -218,14 +229,16 @@ impl Differentiator {
                 .spans
                 .overlaps(&self.prepared.plan, &solution.waves, spans),
         };
-        let held = [&influence.held, &forces::held(&self.forces)];
-        let mut by_parameter = product.by_parameter(self.ids(), held);
+        let held = BeamState {
+            force: forces::held(&self.forces),
+            ..BeamState::ZERO
+        };
+        let mut by_parameter = product.by_parameter(self.ids(), [&edge, &held]);
         let reader = Reader::new(setting.plan, &solution);
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
         }
         by_parameter.extend(self.by_points(forced, influence));
-        let [times, growth] = factor(influence.sum.measure, setting.omega);
         let mut by_frequency = product.by_omega();
         let is_unknown = |Read { station, row }: Read| {
             let is_rate = matches!(row, Row::Motion(BeamMotion::PsiSlope, _));
@@ -236,13 +249,13 @@ impl Differentiator {
             by_parameter.fill(unknown);
             by_frequency = unknown;
         }
+        let reads = influence.sum.terms.iter();
+        let reads = reads.map(|(factor, read)| factor * forced.solution.reads[*read]);
+        let value: Complex64 = reads.sum();
+        let [times, growth] = factor(influence.sum.measure, setting.omega);
         for value in &mut by_parameter {
             *value *= times;
         }
-        let terms = self.terms(&influence.sum);
-        let value: Complex64 = terms
-            .map(|(factor, read)| factor * self.read(forced, read))
-            .sum();
         Gradient {
             value: times * value,
             by_frequency: TAU * (growth * value + times * by_frequency),
@@ -265,13 +278,17 @@ impl Differentiator {
             match read.row {
                 Row::Motion(BeamMotion::W, _) => factor * moved[BeamMotion::Psi as usize],
                 Row::Motion(BeamMotion::V, _) => -factor * moved[BeamMotion::Psi as usize],
-                Row::Motion(..) | Row::Mass(_) => ZERO,
+                Row::Motion(..)
+                | Row::Force(_)
+                | Row::Reaction(..)
+                | Row::Mass(_)
+                | Row::Spring(..)
+                | Row::OnFixed(_) => ZERO,
             }
         });
         let own: Complex64 = twist.sum();
-        let enabled = self.model.responses.iter().filter(|of| of.enabled);
-        let enabled = enabled.enumerate();
-        let with_point = enabled.filter(|(_, response)| response.has_point());
+        let all = self.model.responses.iter().enumerate();
+        let with_point = all.filter(|(_, response)| response.enabled && response.has_point());
         with_point
             .map(|(index, _)| {
                 if index == influence.response {
@@ -282,21 +299,20 @@ impl Differentiator {
             })
             .collect()
     }
+}
 
-    /// A row of the state under the forces of the model.
-    fn read(&self, forced: &Forced<'_>, Read { station, row }: Read) -> Complex64 {
-        match row {
-            Row::Mass(motion) => {
-                let index = self.masses.iter().position(|&mass| mass == station);
-                index.map_or(ZERO, |index| {
-                    forced.field.masses[index].motion[motion as usize]
-                })
-            }
-            Row::Motion(motion, arm) => {
-                let reader = Reader::new(&self.prepared.plan, &forced.solution);
-                let moved = reader.end(station).motion;
-                moved[motion as usize] + arm * moved[BeamMotion::Psi as usize]
-            }
+impl Gradient {
+    /// That of the ratio to another response.
+    fn over(mut self, divisor: &Self) -> Self {
+        let ratio = self.value / divisor.value;
+        let quotient = |by: Complex64, of: Complex64| (by - ratio * of) / divisor.value;
+        for (by, of) in self.by_parameter.iter_mut().zip(&divisor.by_parameter) {
+            *by = quotient(*by, *of);
+        }
+        Self {
+            value: ratio,
+            by_frequency: quotient(self.by_frequency, divisor.by_frequency),
+            ..self
         }
     }
 }

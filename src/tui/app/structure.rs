@@ -64,6 +64,7 @@ impl App {
                     enabled: true,
                     quantity: Quantity::Motion(target, Measure::Displacement),
                     point: Point::AXIS,
+                    over: None,
                 };
                 let name = format!("add response {}", new.name);
                 after.responses.push(new);
@@ -233,10 +234,17 @@ fn group(node: Node) -> Option<Group> {
 /// Names the elements that need an element missing in `after`.
 fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
     let own = match element {
-        Group::Subsystem(i) => mass_user(model, &model.subsystems[i].name),
+        Group::Subsystem(i) => user_of_place(model, At::Subsystem(&model.subsystems[i].name)),
+        Group::Support(SupportId::Inner(i)) => {
+            user_of_place(model, At::Support(&model.supports.inner[i].name))
+        }
         Group::Response(i) => {
-            let tune = model.tune.as_ref()?;
             let name = Some(&model.responses[i].name);
+            let mut responses = model.responses.iter();
+            if let Some(user) = responses.find(|one| one.over.as_ref() == name) {
+                return Some(format!("response {}, which is divided by it", user.name));
+            }
+            let tune = model.tune.as_ref()?;
             let mut objectives = tune.objectives.iter();
             return objectives
                 .any(|one| one.response.as_ref() == name)
@@ -250,12 +258,9 @@ fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
     })
 }
 
-/// Names the force or response on the mass of a subsystem.
-fn mass_user(model: &Model, name: &String) -> Option<String> {
-    let on = |group| {
-        let target = edit::target_of(model, group);
-        target.map(Target::at) == Some(At::Subsystem(name))
-    };
+/// Names the force or response at a subsystem or support.
+fn user_of_place(model: &Model, at: At<'_>) -> Option<String> {
+    let on = |group| edit::at_of(model, group) == Some(at);
     let force = Group::Forces.groups(model).into_iter().position(on);
     let mut responses = Group::Responses.groups(model).into_iter();
     let response = responses.position(on);

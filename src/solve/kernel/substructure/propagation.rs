@@ -31,6 +31,8 @@ struct Task<'a, A> {
 struct Crossing<A> {
     /// The forces of the channels, for a subsystem.
     forces: [[Complex<A>; CHANNELS]; ARRIVALS],
+    /// The actions of a support or joint.
+    actions: [[Complex<A>; 6]; ARRIVALS],
     /// The waves it sends back, before N.
     back: Carried<A>,
 }
@@ -148,6 +150,7 @@ impl<A: Arithmetic> Room<A> {
                     Side::Right => (inwards, outwards[arrival]),
                 };
                 state.forces = crossing.forces[arrival];
+                state.actions = crossing.actions[arrival];
                 state.theta = self.turns[read].part(&before[arrival], arrival == FORCED);
                 self.collect(task.substructure, task.all, (index, arrival), reads);
             }
@@ -178,12 +181,8 @@ impl<A: Arithmetic> Room<A> {
                     *inwards = self.actions[index].part(inwards, arrival == FORCED);
                 }
             }
-            Event::Load(load) => {
-                let jumps = Jumps::of_load(waves, load);
-                *crossing = Crossing::NONE;
-                crossing.back[FORCED] = jumps.sent(task.side);
-                add(&mut task.inwards[FORCED], &jumps.sent(task.side.other()));
-            }
+            Event::Load(load) => crossing.jumps(&Jumps::of_load(waves, load), task),
+            Event::Gap(gap) => crossing.jumps(&Jumps::of_gap(waves, gap), task),
             Event::Probe => *crossing = Crossing::NONE,
         }
     }
@@ -201,7 +200,9 @@ impl<A: Arithmetic> Room<A> {
         let waves = task.substructure.prepared.waves_of(task.all, index);
         for arrival in 0..ARRIVALS {
             let inwards = &mut task.inwards[arrival];
-            let jumps = self.actions[index].sent(waves, acting, inwards, arrival == FORCED);
+            let actions = self.actions[index].part(inwards, arrival == FORCED);
+            crossing.actions[arrival] = actions;
+            let jumps = acting.sent(waves, actions);
             crossing.back[arrival] = jumps.sent(task.side);
             add(inwards, &jumps.sent(task.side.other()));
         }
@@ -239,8 +240,17 @@ impl<A: Arithmetic> Room<A> {
 impl<A: Arithmetic> Crossing<A> {
     const NONE: Self = Self {
         forces: [[Complex::ZERO; CHANNELS]; ARRIVALS],
+        actions: [[Complex::ZERO; 6]; ARRIVALS],
         back: [[Complex::ZERO; 6]; ARRIVALS],
     };
+
+    /// For jumps, which only the loads of the side make.
+    #[inline(always)]
+    fn jumps(&mut self, jumps: &Jumps<A>, task: &mut Task<'_, A>) {
+        *self = Self::NONE;
+        self.back[FORCED] = jumps.sent(task.side);
+        add(&mut task.inwards[FORCED], &jumps.sent(task.side.other()));
+    }
 
     /// For a subsystem; moves its arrivals over it.
     fn attachment(

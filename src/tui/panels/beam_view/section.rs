@@ -55,7 +55,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
 fn subsystem(model: &Model, node: Node) -> Option<&Subsystem> {
     let named = |at: At<'_>| match at {
         At::Subsystem(name) => model.subsystems.iter().find(|one| one.name == name),
-        At::Beam(_) => None,
+        At::Beam(_) | At::Support(_) | At::Ground => None,
     };
     let selected = match node.item() {
         Some(Group::Subsystem(i)) => model.subsystems.get(i),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Focus, Picture};
 use crate::model::schema::ForceKey;
-use crate::model::{At, BeamMotion, Force, Group, MassMotion, Model, Target};
+use crate::model::{At, BeamMotion, Force, Group, MassMotion, Model, Place, Target};
 use crate::tui::sketch::{BIMOMENT, Board, Signs, TORQUE};
 use crate::tui::tree::{self, Node};
 
@@ -41,7 +41,16 @@ fn probes(picture: &Picture<'_>) -> Places {
 fn on_beam<'a>(picture: &Picture<'_>, all: impl Iterator<Item = Option<At<'a>>>) -> Places {
     let mut places = Places::new();
     for (i, at) in all.enumerate() {
-        if let Some(At::Beam(place)) = at {
+        let place = match at {
+            Some(At::Beam(place)) => Some(place),
+            Some(At::Support(name)) => {
+                let mut inner = picture.model.supports.inner.iter();
+                let support = inner.find(|support| support.name == name);
+                support.map(|support| Place::Position(support.position))
+            }
+            Some(At::Subsystem(_) | At::Ground) | None => None,
+        };
+        if let Some(place) = place {
             places.entry(picture.place(place)).or_default().push(i);
         }
     }
@@ -185,7 +194,7 @@ fn draw_probe_words(picture: &Picture<'_>, board: &mut Board<'_>, probes: &Place
         let any_on = members.iter().any(|i| responses[*i].enabled);
         let mut keys: Vec<&str> = Vec::new();
         for i in members.iter().filter(|i| responses[**i].enabled || !any_on) {
-            let direction = responses[*i].quantity.target().map(Target::direction);
+            let direction = responses[*i].quantity.direction();
             keys.extend(direction.filter(|key| !keys.contains(key)));
         }
         let motions = keys.join(" ");
@@ -245,7 +254,7 @@ pub(super) fn selected_mass<'a>(picture: &Picture<'a>) -> Option<&'a str> {
     };
     match at {
         At::Subsystem(name) => Some(name),
-        At::Beam(_) => None,
+        At::Beam(_) | At::Support(_) | At::Ground => None,
     }
 }
 

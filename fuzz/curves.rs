@@ -122,11 +122,11 @@ fn as_a_table(curve: &Curve) {
 
 /// A universal file reads back to the digits of the format.
 fn as_universal_file(curves: &[Curve]) {
-    let unknown = Kind::Motion(Dimension {
-        moves: Moves::Length,
-        measure: Measure::Displacement,
-        per: Some(Load::Force),
-    });
+    let unknown = Kind::Amplitude(Dimension::of_motion(
+        Moves::Length,
+        Measure::Displacement,
+        Some(Load::Force),
+    ));
     let records: Vec<Record> = curves
         .iter()
         .map(|curve| Record {

@@ -42,6 +42,7 @@ fn motion(x: f64, motion: BeamMotion, measure: Measure) -> Response {
         enabled: true,
         quantity: Quantity::Motion(Target::Beam(Place::Position(x), motion), measure),
         point: beamtune::model::Point::AXIS,
+        over: None,
     }
 }
 
@@ -124,6 +125,7 @@ fn rigid(damping: f64) -> (Model, Single) {
             enabled: true,
             quantity: Quantity::Energy,
             point: beamtune::model::Point::AXIS,
+            over: None,
         },
         motion(middle, BeamMotion::V, Measure::Displacement),
     ];

@@ -171,6 +171,7 @@ fn answers(joints: Vec<Joint>) -> Vec<Complex64> {
             enabled: true,
             quantity: Quantity::Motion(target(0.6, motion), Measure::Displacement),
             point: Point::AXIS,
+            over: None,
         });
     }
     let model = Checked::new(model).unwrap();

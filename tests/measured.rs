@@ -13,7 +13,7 @@ use beamtune::measured::{
     self, Curve, Fault, Format, Hint, Layout, Question, Values, fit, inspect, read,
 };
 use beamtune::model::{Measure, Model};
-use beamtune::unit::{Dimension, Kind, Load, Moves};
+use beamtune::unit::{Amount, Dimension, Kind, Load, Moves};
 use num_complex::Complex64;
 
 #[path = "measured/foreign.rs"]
@@ -46,11 +46,7 @@ fn fault(bytes: impl AsRef<[u8]>) -> Fault {
 }
 
 fn motion(moves: Moves, measure: Measure, per: Option<Load>) -> Kind {
-    Kind::Motion(Dimension {
-        moves,
-        measure,
-        per,
-    })
+    Kind::Amplitude(Dimension::of_motion(moves, measure, per))
 }
 
 #[track_caller]

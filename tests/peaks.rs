@@ -731,7 +731,7 @@ proptest! {
         model.responses = quantities.into_iter().enumerate().map(|(index, quantity)| Response {
             name: format!("R{index}"),
             enabled: true,
-            quantity, point: beamtune::model::Point::AXIS, }).collect();
+            quantity, point: beamtune::model::Point::AXIS, over: None, }).collect();
         model.sweep = Sweep { from: 3.0, to: 300.0, points: 60, spacing: Spacing::Linear };
         assert_is_resolved(&model, 1e-10);
     }

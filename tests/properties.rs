@@ -473,6 +473,7 @@ fn an_undamped_beam_at_its_resonance_has_no_finite_answer() {
         enabled: true,
         quantity: Quantity::Motion(beam(1.1, BeamMotion::W), Measure::Displacement),
         point: beamtune::model::Point::AXIS,
+        over: None,
     }];
     let (material, section) = (model.beam.material, model.beam.section);
     let wave_speed = (material.young_modulus * section.second_moment_y
@@ -535,6 +536,7 @@ fn energy_of_a_beam_that_moves_as_one() {
             enabled: true,
             quantity: Quantity::Energy,
             point: beamtune::model::Point::AXIS,
+            over: None,
         },
         Response {
             name: "w".into(),
@@ -544,6 +546,7 @@ fn energy_of_a_beam_that_moves_as_one() {
                 Measure::Displacement,
             ),
             point: beamtune::model::Point::AXIS,
+            over: None,
         },
     ];
     let frf = beamtune::solve::sweep(&checked(&model), &[0.05], &AtomicBool::new(false)).unwrap();

@@ -314,19 +314,41 @@ fn forces(length: f64, masses: Vec<String>) -> impl Strategy<Value = Vec<Force>>
 }
 
 fn responses(length: f64, masses: Vec<String>) -> impl Strategy<Value = Vec<Response>> {
+    let mut others = vec![
+        Quantity::Energy,
+        Quantity::Reaction(Reaction::Support(Holder::Left, BeamMotion::WSlope)),
+        Quantity::Reaction(Reaction::Support(Holder::Right, BeamMotion::PsiSlope)),
+        Quantity::Reaction(Reaction::Ground(Across::V)),
+        Quantity::InternalForce(Place::Right, BeamMotion::VSlope),
+        Quantity::InternalForce(Place::Position(0.5 * length), BeamMotion::W),
+    ];
+    others.extend(masses.iter().take(2).flat_map(|name| {
+        let of = |spring, measure| Quantity::Spring(name.clone(), spring, measure);
+        [
+            of(SpringName::YRight, SpringMeasure::Force),
+            of(SpringName::ZLeft, SpringMeasure::Stretch),
+        ]
+    }));
     let quantity = prop_oneof![
-        1 => Just(Quantity::Energy),
-        4 => (target(length, masses), prop::sample::select(Measure::ALL.to_vec()))
+        1 => prop::sample::select(others),
+        3 => (target(length, masses), prop::sample::select(Measure::ALL.to_vec()))
             .prop_map(|(target, measure)| Quantity::Motion(target, measure)),
     ];
-    (names(0..4), vec((any::<bool>(), quantity), 4)).prop_map(|(names, rest)| {
-        let one = |(name, (enabled, quantity))| Response {
-            name,
-            enabled,
-            quantity,
-            point: beamtune::model::Point::AXIS,
-        };
-        names.into_iter().zip(rest).map(one).collect()
+    let all = vec((any::<bool>(), quantity, any::<bool>()), 4);
+    (names(0..4), all).prop_map(|(names, rest)| {
+        let mut all: Vec<Response> = Vec::new();
+        for (name, (enabled, quantity, divided)) in names.into_iter().zip(rest) {
+            let divisors = all.iter().find(|of| of.is_linear());
+            let over = divisors.filter(|_| divided && !quantity.is_quadratic());
+            all.push(Response {
+                over: over.map(|of| of.name.clone()),
+                name,
+                enabled,
+                quantity,
+                point: beamtune::model::Point::AXIS,
+            });
+        }
+        all
     })
 }
 
@@ -998,7 +1020,7 @@ fn other_styles_of_tables_are_kept() {
         let copy = Subsystem { name: "B".to_owned(), ..model.subsystems[0].clone() };
         model.subsystems.insert(0, copy);
         model.forces[0].phase = 90.0;
-        model.responses.push(Response { name: "s".to_owned(), enabled: true, quantity: Quantity::Energy, point: beamtune::model::Point::AXIS, });
+        model.responses.push(Response { name: "s".to_owned(), enabled: true, quantity: Quantity::Energy, point: beamtune::model::Point::AXIS, over: None, });
         model.studies.push(Study {
             name: "new".to_owned(),
             family: Family::Vary { paths: vec!["beam.length".into()], operation: Operation::Multiply, values: vec![1.0] },

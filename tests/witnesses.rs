@@ -9,14 +9,16 @@
 
 #[path = "common/checked.rs"]
 mod checked;
+#[path = "common/quantities.rs"]
+mod quantities;
 
 use checked::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
     self, BeamMotion, Bedding, Elastic, Foundation, InnerSupport, Joint, Link, MassMotion,
-    Material, Measure, Model, Place, Point, Quantity, Response, Restraint, Section, Span, Spring,
-    Support, Target, Theory,
+    Material, Measure, Model, Place, Point, Quantity, Reaction, Response, Restraint, Section, Span,
+    Spring, Support, SupportId, Target, Theory,
 };
 use beamtune::solve::Cancelled;
 use beamtune::solve::compare::differences;
@@ -82,6 +84,7 @@ fn respond(target: Target) -> Response {
         enabled: true,
         quantity: Quantity::Motion(target, Measure::Displacement),
         point: beamtune::model::Point::AXIS,
+        over: None,
     }
 }
 
@@ -116,6 +119,7 @@ fn loaded_everywhere() -> Model {
             enabled: true,
             quantity: Quantity::Motion(Target::Mass("S1".into(), MassMotion::Z), measure),
             point: beamtune::model::Point::AXIS,
+            over: None,
         });
     }
     model.responses.push(Response {
@@ -123,6 +127,7 @@ fn loaded_everywhere() -> Model {
         enabled: true,
         quantity: Quantity::Energy,
         point: beamtune::model::Point::AXIS,
+        over: None,
     });
     model
 }
@@ -154,6 +159,44 @@ fn elements_agree_on_the_papers_figures() {
     for name in ["fig05a", "fig05b", "fig05c", "fig06", "fig08", "fig13"] {
         hold(name, &preset(name), 120, &HERTZ, 1e-2);
     }
+}
+
+/// Reactions of springs and of fixed motions, at and between the ends and off the axis, internal forces, springs and ratios.
+#[test]
+fn elements_agree_on_forces() {
+    let mut model = loaded_everywhere();
+    let mut support = Support::FREE;
+    support[BeamMotion::W] = Restraint::Fixed;
+    support[BeamMotion::Psi] = Restraint::Fixed;
+    support[BeamMotion::V] = elastic()[BeamMotion::V].clone();
+    support.point = Point { y: 0.05, z: -0.1 };
+    model.supports.inner = vec![InnerSupport {
+        name: "B".to_owned(),
+        // Where a subsystem stands.
+        position: model.subsystems[1].position,
+        support,
+    }];
+    model.supports.left = elastic();
+    model.supports.right[BeamMotion::V] = Restraint::Fixed;
+    let places = [Place::Left, Place::Position(0.3), Place::Position(1.9)];
+    let mut all = quantities::internal_forces(&places);
+    all.extend(quantities::springs(&model));
+    all.extend(quantities::reactions(&model));
+    all.retain(|quantity| {
+        // 0 along a free motion.
+        let Quantity::Reaction(Reaction::Support(holder, motion)) = quantity else {
+            return true;
+        };
+        let id = SupportId::all(&model).find(|id| id.name(&model) == holder.name());
+        id.unwrap().support(&model)[*motion] != Restraint::Free
+    });
+    model.responses = all.into_iter().map(quantities::response).collect();
+    let first = model.responses[0].name.clone();
+    model.responses[20].over = Some(first);
+    assert_eq!(model::check(&model), []);
+    let mesh = FiniteElements::new(&model, 200);
+    let found = difference(&model, &mesh, &HERTZ[..5]);
+    assert!(found < 1e-3, "{found:e}");
 }
 
 #[test]

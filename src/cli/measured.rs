@@ -117,10 +117,7 @@ fn quantity(kind: Option<Kind>) -> (&'static str, String) {
     let words = match kind {
         None => "",
         Some(Kind::Energy) => "energy",
-        Some(Kind::Motion(dimension)) if dimension.per.is_some() => {
-            dimension.form_of_measure().name()
-        }
-        Some(Kind::Motion(dimension)) => dimension.measure.key(),
+        Some(Kind::Amplitude(dimension)) => dimension.words(),
     };
     (words, unit)
 }

@@ -1,5 +1,6 @@
 //! The beam as plain data: its section, material and foundation, the spans of which it may consist, and how it moves.
 
+use crate::unit::Load;
 use crate::words::words;
 
 /// The beam, or what its spans have in common.
@@ -268,6 +269,15 @@ impl BeamMotion {
     /// True for the two translations, whose inertia is a mass.
     pub const fn is_translation(self) -> bool {
         matches!(self, Self::W | Self::V)
+    }
+
+    /// The load that acts along it.
+    pub const fn load(self) -> Load {
+        match self {
+            Self::W | Self::V => Load::Force,
+            Self::PsiSlope => Load::Bimoment,
+            Self::Psi | Self::WSlope | Self::VSlope => Load::Moment,
+        }
     }
 }
 

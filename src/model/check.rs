@@ -15,7 +15,7 @@ use super::schema::{
     SUPPORT, SWEEP, branch, elastic,
 };
 use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
-use super::spring::{Spring, SubsystemSpring};
+use super::spring::{Spring, SpringName};
 use super::toml_literal::format_number;
 use super::types::{Model, Restraint, Subsystem, Support, Sweep};
 use std::cell::LazyCell;
@@ -316,7 +316,7 @@ fn subsystem(path: &str, one: &Subsystem, model: &Model, faults: &mut Vec<Fault>
         ));
     }
     numbers(path, one, &SUBSYSTEM, faults);
-    for (key, spring) in SubsystemSpring::WORDS.iter().zip(one.springs()) {
+    for (key, spring) in SpringName::WORDS.iter().zip(one.springs()) {
         branches(&format!("{path}.{key}"), spring, BeamMotion::W, faults);
     }
     let path = format_args!("{path}.position");

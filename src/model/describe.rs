@@ -1,14 +1,15 @@
 //! The description of a parameter for people.
 
 use super::beam::{Section, Span};
-use super::edit::{Value, directions, get, places, target_of};
+use super::edit::{Placed, Value, get};
 use super::id::{Group, ParameterId, SupportId};
+use super::quantity::Quantity;
 use super::schema::{
     FEWEST_POINTS, ForceKey, InnerSupportKey, Kind, MOST_POINTS, SectionKey, SubsystemKey,
 };
 use super::spelling::nearest;
-use super::types::{Link, Model, Quantity, Restraint, Support};
-use crate::unit::{Measure, Unit, value_input};
+use super::types::{Link, Model, Restraint, Support};
+use crate::unit::{Unit, value_input};
 
 /// A parameter with everything needed to set it.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,9 +83,9 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
             let mixed = (*value == Value::Choice("elastic")).then_some("elastic");
             Support::WORDS.into_iter().chain(mixed).collect()
         }
-        Kind::Measure => [Measure::WORDS, &[Quantity::ENERGY]].concat(),
+        Kind::Measure => Quantity::words(),
         Kind::Direction => {
-            target_of(model, id.group).map_or_else(Vec::new, |target| directions(target).to_vec())
+            Placed::of(model, id.group).map_or_else(Vec::new, |of| of.directions().to_vec())
         }
         _ => Vec::new(),
     }
@@ -92,7 +93,7 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
 
 /// The unit of a number; that of a load depends on its direction.
 fn unit(model: &Model, id: ParameterId) -> Unit {
-    match target_of(model, id.group) {
+    match Placed::of(model, id.group).and_then(Placed::target) {
         Some(target) if is_amplitude(id) => target.load().unit(),
         _ => id.key().unit,
     }
@@ -111,7 +112,10 @@ fn range(model: &Model, id: ParameterId) -> String {
         (Kind::Text, _) => "any text".to_owned(),
         (Kind::Name, _) => "a unique name".to_owned(),
         (Kind::Flag, _) => "true or false".to_owned(),
-        (Kind::Place, _) => places(model),
+        (Kind::Over, _) => "none, or the name of another response".to_owned(),
+        (Kind::Place, group) => {
+            Placed::of(model, group).map_or_else(String::new, |of| of.places(model).listed())
+        }
         (_, Group::Section(part)) => part
             .section(model)
             .map_or_else(String::new, |section| section_range(section, id)),

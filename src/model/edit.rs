@@ -7,9 +7,9 @@ mod value;
 mod variable;
 
 pub use family::{apply, apply_unchecked, family_keys, family_labels};
-pub use target::target_of;
-pub(super) use target::{directions, places};
-pub use value::{Value, get, number, put};
+pub(super) use target::Placed;
+pub use target::at_of;
+pub use value::{Value, get, names, number, put};
 
 use super::beam::Span;
 use super::check::Checked;

@@ -4,7 +4,7 @@ use super::beam::BeamMotion;
 use super::part::{BeamNumber, Part};
 use super::schema::{self, Key, Kind};
 use super::spring::SpringId;
-use super::types::{Link, Model, Quantity, Restraint, Support, Target};
+use super::types::{Link, Model, Restraint, Support, Target};
 
 /// A support of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -551,11 +551,12 @@ impl ParameterId {
             }
             (Group::Link(joint, motion), _) => model.joints[joint][motion] != Link::Rigid,
             (Group::Branch(spring, index), _) => index < spring.branches(model).len(),
-            (Group::Response(index), Kind::Place | Kind::Direction) => {
-                model.responses[index].quantity != Quantity::Energy
+            (Group::Response(index), Kind::Place | Kind::Direction | Kind::Over) => {
+                !model.responses[index].quantity.is_quadratic()
             }
             (group, _) => self.moved_by_twist().is_none_or(|motion| {
-                let target = super::edit::target_of(model, group);
+                let target =
+                    super::edit::Placed::of(model, group).and_then(super::edit::Placed::target);
                 matches!(target, Some(Target::Beam(_, own)) if *own == motion)
             }),
         }

@@ -63,8 +63,10 @@ pub enum Kind {
     Place,
     /// The motion of a force or response.
     Direction,
-    /// The time derivative of a motion, or the energy.
+    /// What is measured of a response.
     Measure,
+    /// The name of the response that divides another one; optional.
+    Over,
     /// One word for all motions of a support.
     Support,
     /// The restraint of one motion of a support.
@@ -320,6 +322,9 @@ macro_rules! access {
     (text $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
         Access::Text(|of| &of.$place, |of| &mut of.$place)
     };
+    (optional_text $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
+        Access::Optional(|of| of.$place.as_ref(), |of, text| of.$place = text)
+    };
     (own $key:literal, $kind:ident, $meaning:expr) => { Access::Own };
 }
 
@@ -332,7 +337,7 @@ macro_rules! access {
 /// - `word(key, type of the words, meaning, place)`
 /// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of
 ///   an enum
-/// - `count`, `flag` (true by default), `switch` (a flag, false by default) or `text(key, kind, meaning, place)`,
+/// - `count`, `flag` (true by default), `switch` (a flag, false by default), `text` or `optional_text(key, kind, meaning, place)`,
 ///   `own(key, kind, meaning)`
 macro_rules! rows {
     ($(#[$doc:meta])* $name:ident of $of:ty { $($kind:ident($($row:tt)*),)* }) => {

@@ -73,8 +73,8 @@ pub(super) static NONE: Elastic = Elastic {
 };
 
 words! {
-    /// The four springs of a subsystem.
-    pub enum SubsystemSpring {
+    /// A spring of a subsystem with its damper.
+    pub enum SpringName {
         /// The left one along y.
         YLeft = "y_left",
         /// The right one along y.
@@ -86,8 +86,15 @@ words! {
     }
 }
 
+impl SpringName {
+    /// The spring of a subsystem.
+    pub const fn of(self, subsystem: &Subsystem) -> &Spring {
+        subsystem.springs()[self as usize]
+    }
+}
+
 impl Subsystem {
-    /// Its springs, in the order of [`SubsystemSpring::ALL`].
+    /// Its springs, in the order of [`SpringName::ALL`].
     pub const fn springs(&self) -> [&Spring; 4] {
         [&self.y_left, &self.y_right, &self.z_left, &self.z_right]
     }
@@ -111,7 +118,7 @@ pub enum SpringId {
     /// That between both sides of a motion of a joint.
     Joint(usize, BeamMotion),
     /// One of a subsystem.
-    Subsystem(usize, SubsystemSpring),
+    Subsystem(usize, SpringName),
 }
 
 impl SpringId {
@@ -124,7 +131,7 @@ impl SpringId {
             Group::Joint(index) => BeamMotion::ALL
                 .map(|motion| Self::Joint(index, motion))
                 .into(),
-            Group::Subsystem(index) => SubsystemSpring::ALL
+            Group::Subsystem(index) => SpringName::ALL
                 .map(|spring| Self::Subsystem(index, spring))
                 .into(),
             _ => Vec::new(),
@@ -160,9 +167,7 @@ impl SpringId {
                 Link::Elastic(spring) => Some(spring),
                 Link::Rigid | Link::Free => None,
             },
-            Self::Subsystem(index, spring) => {
-                Some(model.subsystems[index].springs()[spring as usize])
-            }
+            Self::Subsystem(index, spring) => Some(spring.of(&model.subsystems[index])),
         }
     }
 
@@ -180,10 +185,10 @@ impl SpringId {
             Self::Subsystem(index, spring) => {
                 let [y_left, y_right, z_left, z_right] = model.subsystems[index].springs_mut();
                 Some(match spring {
-                    SubsystemSpring::YLeft => y_left,
-                    SubsystemSpring::YRight => y_right,
-                    SubsystemSpring::ZLeft => z_left,
-                    SubsystemSpring::ZRight => z_right,
+                    SpringName::YLeft => y_left,
+                    SpringName::YRight => y_right,
+                    SpringName::ZLeft => z_left,
+                    SpringName::ZRight => z_right,
                 })
             }
         }

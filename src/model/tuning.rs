@@ -151,6 +151,13 @@ pub enum Limit {
         /// Band end, Hz.
         to: f64,
     },
+    /// The highest magnitude of a response in the sweep: `limit = "peak"`.
+    Peak {
+        /// The name of the response.
+        response: String,
+        /// Upper limit, in the response's unit.
+        at_most: f64,
+    },
     /// The magnitude of a response to static forces (0 Hz): `limit = "static_deflection"`.
     StaticDeflection {
         /// The name of a displacement response.
@@ -170,7 +177,7 @@ impl Limit {
     /// The name of its response, if it has one.
     pub fn response(&self) -> Option<&String> {
         match self {
-            Self::StaticDeflection { response, .. } => Some(response),
+            Self::Peak { response, .. } | Self::StaticDeflection { response, .. } => Some(response),
             Self::AddedMass { .. } | Self::NoMode { .. } | Self::Buckling { .. } => None,
         }
     }

@@ -5,9 +5,10 @@
 
 use super::beam::{Beam, BeamMotion, Point, Span, UniformPart};
 use super::path::Pattern;
+use super::quantity::Response;
 use super::spring::{Elastic, NONE, Spring};
 use super::tuning::Tune;
-use crate::unit::{Dimension, Kind, Load, Measure, Moves};
+use crate::unit::Load;
 use crate::words::words;
 
 /// A beam with its supports, subsystems, loads, responses and studies.
@@ -364,6 +365,19 @@ impl Place {
     }
 }
 
+/// Where a force acts or a response is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum At<'a> {
+    /// On the beam.
+    Beam(Place),
+    /// At the subsystem with this name.
+    Subsystem(&'a str),
+    /// At the inner support with this name.
+    Support(&'a str),
+    /// At all supports.
+    Ground,
+}
+
 /// A motion of the beam at a position, or of a subsystem's mass.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Target {
@@ -379,13 +393,36 @@ impl Target {
         matches!(self, Self::Beam(_, BeamMotion::W | BeamMotion::V))
     }
 
+    /// Where it is.
+    pub fn at(&self) -> At<'_> {
+        match self {
+            Self::Beam(place, _) => At::Beam(*place),
+            Self::Mass(name, _) => At::Subsystem(name),
+        }
+    }
+
+    /// The word of its direction.
+    pub const fn direction(&self) -> &'static str {
+        match self {
+            Self::Beam(_, motion) => motion.key(),
+            Self::Mass(_, motion) => motion.key(),
+        }
+    }
+
+    /// The words of the directions that its position permits.
+    pub const fn directions(&self) -> &'static [&'static str] {
+        match self {
+            Self::Beam(..) => BeamMotion::WORDS,
+            Self::Mass(..) => MassMotion::WORDS,
+        }
+    }
+
     /// The load that acts along it.
     pub const fn load(&self) -> Load {
         match self {
-            Self::Beam(_, BeamMotion::W | BeamMotion::V)
-            | Self::Mass(_, MassMotion::Y | MassMotion::Z) => Load::Force,
-            Self::Beam(_, BeamMotion::PsiSlope) => Load::Bimoment,
-            Self::Beam(..) | Self::Mass(_, MassMotion::Theta) => Load::Moment,
+            Self::Beam(_, motion) => motion.load(),
+            Self::Mass(_, MassMotion::Y | MassMotion::Z) => Load::Force,
+            Self::Mass(_, MassMotion::Theta) => Load::Moment,
         }
     }
 }
@@ -403,45 +440,6 @@ pub struct Force {
     pub amplitude: f64,
     /// Phase, degrees.
     pub phase: f64,
-}
-
-/// A response to compute.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Response {
-    /// Unique.
-    pub name: String,
-    /// False: kept in the file, but not computed.
-    pub enabled: bool,
-    /// The quantity to compute.
-    pub quantity: Quantity,
-    /// The point of the section that moves, for a motion along w or v; on the axis for any other quantity.
-    pub point: Point,
-}
-
-/// The quantity of a response.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Quantity {
-    /// A motion, complex.
-    Motion(Target, Measure),
-    /// The vibration energy `E_V` of the whole beam (Chen & Liu 2022, Section 4.2), real, kg m2.
-    Energy,
-}
-
-impl Quantity {
-    /// The word for an energy among the measures.
-    pub const ENERGY: &'static str = "energy";
-
-    /// The dimension of its values divided by a load, or undivided.
-    pub const fn kind(&self, per: Option<Load>) -> Kind {
-        match self {
-            Self::Motion(target, measure) => Kind::Motion(Dimension {
-                moves: Moves::along(target.load()),
-                measure: *measure,
-                per,
-            }),
-            Self::Energy => Kind::Energy,
-        }
-    }
 }
 
 /// The frequencies of the curves.

@@ -22,7 +22,10 @@ pub(super) const UNKNOWNS: usize = 4;
 pub(super) struct Attachment {
     pub(super) mass: f64,
     pub(super) inertia: f64,
+    /// Both y springs as one.
     pub(super) spring_y: Spring,
+    /// The left and the right one alone.
+    pub(super) y: [Spring; 2],
     pub(super) z_left: Spring,
     pub(super) z_right: Spring,
     pub(super) mount_y: f64,
@@ -43,6 +46,7 @@ impl Attachment {
             mass: subsystem.mass,
             inertia: subsystem.inertia,
             spring_y,
+            y: [subsystem.y_left.clone(), subsystem.y_right.clone()],
             z_left,
             z_right,
             mount_y: subsystem.mount_y,

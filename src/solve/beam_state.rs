@@ -22,6 +22,13 @@ impl BeamState {
         force: [ZERO; 6],
     };
 
+    /// Multiplies it by a factor.
+    pub(super) fn scale(&mut self, by: Complex64) {
+        for value in self.motion.iter_mut().chain(&mut self.force) {
+            *value *= by;
+        }
+    }
+
     /// `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)`; no bimoment if the section has no warping stiffness.
     pub(super) fn new(waves: &Waves, a: &Amplitudes, b: &Amplitudes) -> Self {
         let sum: Amplitudes = std::array::from_fn(|wave| a[wave] + b[wave]);

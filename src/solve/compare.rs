@@ -3,9 +3,10 @@
 use num_complex::Complex64;
 
 use super::sweep::{ColumnKind, Frf};
-use crate::model::{BeamMotion, Checked, MassMotion, Measure, Quantity, Target};
+use crate::model::Checked;
+use crate::unit::{Amount, Dimension, Kind, Load, Moves};
 
-/// A motion below this fraction of the largest one at the same frequency is rounding error, in both methods.
+/// A motion or force below this fraction of the largest one at the same frequency is rounding error, in both methods.
 const RESOLVED: f64 = 1e-12;
 
 /// The difference of one response at one frequency.
@@ -23,38 +24,41 @@ pub struct Difference {
 /// frequencies; `None` where the exact response is not finite.
 ///
 /// If both solutions of a response are below 1e-12 of the largest motion at a frequency (rotations times the beam's
-/// length, velocities and accelerations as displacements), they differ only by rounding: symmetry may make them 0. They
-/// count as equal.
+/// length, velocities and accelerations as displacements), or of the largest force (moments over the length), they differ only by
+/// rounding: symmetry may make them 0. They count as equal.
 pub fn differences(model: &Checked, exact: &Frf, other: &Frf) -> Vec<Vec<Option<Difference>>> {
-    let quantities: Vec<&Quantity> = model
+    let scales: Vec<Option<Scale>> = model
         .responses
         .iter()
         .filter(|response| response.enabled)
-        .map(|response| &response.quantity)
+        .map(|response| Scale::of(response.kind(model, None), model.length()))
         .collect();
     let mut out = vec![Vec::new(); exact.columns.len()];
     for (row, &frequency) in exact.frequencies.iter().enumerate() {
-        let sizes = |frf: &Frf| -> Vec<f64> {
-            let columns = frf.columns.iter().zip(&quantities);
-            columns
-                .map(|(column, quantity)| {
-                    column.values[row].norm() * scale(quantity, model.length(), frequency)
-                })
-                .collect()
+        let omega = std::f64::consts::TAU * frequency;
+        let size = |frf: &Frf, index: usize, scale: &Scale| {
+            frf.columns[index].values[row].norm() * scale.times / omega.powi(scale.order)
         };
-        let (of_exact, of_other) = (sizes(exact), sizes(other));
-        let floor = RESOLVED * of_exact.iter().copied().fold(0.0, f64::max);
+        // Motions are compared with motions, forces with forces.
+        let floor = |is_force: bool| {
+            let all = scales.iter().enumerate();
+            let all = all.filter_map(|(index, scale)| Some((index, scale.as_ref()?)));
+            let alike = all.filter(|(_, scale)| scale.is_force == is_force);
+            let sizes = alike.map(|(index, scale)| size(exact, index, scale));
+            RESOLVED * sizes.fold(0.0, f64::max)
+        };
+        let floors = [floor(false), floor(true)];
         for (index, out) in out.iter_mut().enumerate() {
             let column = &exact.columns[index];
             let (a, b) = (column.values[row], other.columns[index].values[row]);
-            out.push(a.is_finite().then(|| {
-                let motion = column.kind == ColumnKind::Complex;
-                if motion && of_exact[index] < floor && of_other[index] < floor {
-                    Difference::of(a, a, column.kind)
-                } else {
-                    Difference::of(a, b, column.kind)
-                }
-            }));
+            let is_rounding = scales[index].as_ref().is_some_and(|scale| {
+                let sizes = [exact, other].map(|frf| size(frf, index, scale));
+                sizes
+                    .iter()
+                    .all(|size| *size < floors[usize::from(scale.is_force)])
+            });
+            let b = if is_rounding { a } else { b };
+            out.push(a.is_finite().then(|| Difference::of(a, b, column.kind)));
         }
     }
     out
@@ -84,24 +88,39 @@ impl Difference {
     }
 }
 
-/// The factor that makes motions of all kinds comparable: to metres of displacement, for a rotation at a distance of
-/// one beam length.
-fn scale(quantity: &Quantity, length: f64, frequency: f64) -> f64 {
-    let Quantity::Motion(target, measure) = quantity else {
-        // An energy is not a motion.
-        return 0.0;
-    };
-    let arm = match target {
-        Target::Beam(_, BeamMotion::W | BeamMotion::V)
-        | Target::Mass(_, MassMotion::Y | MassMotion::Z) => 1.0,
-        Target::Beam(_, BeamMotion::PsiSlope) => length * length,
-        Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => length,
-    };
-    let omega = std::f64::consts::TAU * frequency;
-    match measure {
-        Measure::Displacement => arm,
-        Measure::Velocity => arm / omega,
-        Measure::Acceleration => arm / (omega * omega),
+/// What makes motions comparable, to metres of displacement, and forces, to newtons.
+struct Scale {
+    is_force: bool,
+    /// For a rotation or moment that of a distance of one beam length.
+    times: f64,
+    /// Of the time derivative.
+    order: i32,
+}
+
+impl Scale {
+    /// None for an energy and a ratio.
+    fn of(kind: Kind, length: f64) -> Option<Self> {
+        let Kind::Amplitude(Dimension { of, per: None }) = kind else {
+            return None;
+        };
+        let (is_force, times, order) = match of {
+            Amount::Motion(moves, measure) => {
+                let times = match moves {
+                    Moves::Length => 1.0,
+                    Moves::Angle => length,
+                    Moves::TwistRate => length * length,
+                };
+                (false, times, measure.order())
+            }
+            Amount::Load(Load::Force) => (true, 1.0, 0),
+            Amount::Load(Load::Moment) => (true, length.recip(), 0),
+            Amount::Load(Load::Bimoment) => (true, length.powi(-2), 0),
+        };
+        Some(Self {
+            is_force,
+            times,
+            order,
+        })
     }
 }
 

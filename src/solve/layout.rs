@@ -7,8 +7,9 @@
 use num_complex::Complex64;
 
 use crate::model::{
-    BeamMotion, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Spring, Subsystem,
-    Support, Target, UniformPart,
+    At, BeamMotion, MassMotion, Measure, Model, Place, Point, Quantity, Reaction, Response,
+    Restraint, Spring, SpringMeasure, SpringName, Subsystem, Support, SupportId, Target,
+    UniformPart,
 };
 
 /// The positions along a beam and what is attached there.
@@ -29,8 +30,8 @@ pub(super) struct Layout<'a> {
     pub(super) joints: Vec<(usize, [Option<Spring>; 6])>,
     /// The enabled subsystems, by ascending position.
     pub(super) masses: Vec<Mass<'a>>,
-    /// Where each enabled response is read.
-    pub(super) readings: Vec<Reading>,
+    /// Each enabled response.
+    pub(super) readings: Vec<Readings<Reading>>,
 }
 
 /// A subsystem at a position.
@@ -43,17 +44,48 @@ pub(super) struct Mass<'a> {
     pub(super) load: [Complex64; 3],
 }
 
-/// Where a response is read.
+/// What is read for a response.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reading {
     /// A motion of the beam at a position, plus its twist times an arm, m.
     Beam(usize, BeamMotion, f64, Measure),
+    /// An internal force just right of a position; at the right end just left of it.
+    Force(usize, BeamMotion),
+    /// What the support with this index puts on the ground along a motion of its point.
+    Reaction(usize, BeamMotion),
     /// A motion of the mass with this index.
     Mass(usize, MassMotion, Measure),
-    /// A fixed motion, always 0.
-    Held,
+    /// A spring of the mass with this index.
+    Spring(usize, SpringName, SpringMeasure),
     /// `E_V`.
     Energy,
+}
+
+/// A response: the sum of some readings, none for what is always 0, over that of others.
+#[derive(Debug, Clone)]
+pub(super) struct Readings<T> {
+    pub(super) sum: Vec<T>,
+    pub(super) over: Option<Vec<T>>,
+}
+
+impl<T> Readings<T> {
+    /// The same with other readings.
+    pub(super) fn map<U>(&self, of: impl Fn(&T) -> U) -> Readings<U> {
+        let all = |list: &Vec<T>| list.iter().map(&of).collect();
+        Readings {
+            sum: all(&self.sum),
+            over: self.over.as_ref().map(all),
+        }
+    }
+
+    /// The value, from those of the readings.
+    pub(super) fn value(&self, of: impl Fn(&T) -> Complex64) -> Complex64 {
+        let sum = |list: &Vec<T>| list.iter().map(&of).sum::<Complex64>();
+        match &self.over {
+            Some(over) => sum(&self.sum) / sum(over),
+            None => sum(&self.sum),
+        }
+    }
 }
 
 impl<'a> Layout<'a> {
@@ -107,7 +139,10 @@ impl<'a> Layout<'a> {
             .responses
             .iter()
             .filter(|response| response.enabled)
-            .map(|response| layout.reading(&response.quantity, response.point))
+            .map(|response| Readings {
+                sum: layout.sum(response),
+                over: response.divisor(model).map(|over| layout.sum(over)),
+            })
             .collect();
         layout
     }
@@ -131,29 +166,56 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn reading(&self, quantity: &Quantity, point: Point) -> Reading {
-        match quantity {
-            Quantity::Energy => Reading::Energy,
+    fn sum(&self, response: &Response) -> Vec<Reading> {
+        let reading = match &response.quantity {
+            Quantity::Energy => Some(Reading::Energy),
+            // A checked model has no enabled response on a disabled subsystem.
             Quantity::Motion(Target::Mass(name, motion), measure) => {
-                // A checked model has no enabled response on a disabled subsystem.
                 let mass = self.mass(name);
-                mass.map_or(Reading::Held, |mass| Reading::Mass(mass, *motion, *measure))
+                mass.map(|mass| Reading::Mass(mass, *motion, *measure))
             }
             Quantity::Motion(Target::Beam(place, motion), measure) => {
-                let place = self.place(distance(self.model, *place));
-                let arm = point.arm(*motion).unwrap_or_default();
-                let is_held = self.supports_at(place).any(|support| {
-                    let own_arm = support.point.arm(*motion).unwrap_or_default();
-                    support[*motion] == Restraint::Fixed
-                        && (own_arm == arm || support[BeamMotion::Psi] == Restraint::Fixed)
-                });
-                if is_held {
-                    Reading::Held
-                } else {
-                    Reading::Beam(place, *motion, arm, *measure)
-                }
+                self.moved(*place, *motion, response.point, *measure)
             }
-        }
+            Quantity::InternalForce(place, motion) => {
+                let place = self.place(distance(self.model, *place));
+                Some(Reading::Force(place, *motion))
+            }
+            Quantity::Reaction(Reaction::Support(holder, motion)) => {
+                let mut all = SupportId::all(self.model);
+                let index = all.position(|id| id.name(self.model) == holder.name());
+                index.map(|index| Reading::Reaction(index, *motion))
+            }
+            Quantity::Reaction(Reaction::Ground(across)) => {
+                let all = 0..self.supports.len();
+                return all
+                    .map(|index| Reading::Reaction(index, (*across).into()))
+                    .collect();
+            }
+            Quantity::Spring(name, spring, measure) => {
+                let mass = self.mass(name);
+                mass.map(|mass| Reading::Spring(mass, *spring, *measure))
+            }
+        };
+        reading.into_iter().collect()
+    }
+
+    /// A motion of the beam; none that a support fixes.
+    fn moved(
+        &self,
+        place: Place,
+        motion: BeamMotion,
+        point: Point,
+        measure: Measure,
+    ) -> Option<Reading> {
+        let place = self.place(distance(self.model, place));
+        let arm = point.arm(motion).unwrap_or_default();
+        let is_held = self.supports_at(place).any(|support| {
+            let own_arm = support.point.arm(motion).unwrap_or_default();
+            support[motion] == Restraint::Fixed
+                && (own_arm == arm || support[BeamMotion::Psi] == Restraint::Fixed)
+        });
+        (!is_held).then_some(Reading::Beam(place, motion, arm, measure))
     }
 
     /// The supports at a position.
@@ -229,21 +291,21 @@ fn distance(model: &Model, place: Place) -> f64 {
 
 /// The distinct positions, ascending, ends included.
 fn positions(model: &Model, parts: &[UniformPart], merge: f64) -> Vec<f64> {
-    let beam_place = |target: &Target| match target {
-        Target::Beam(place, _) => Some(distance(model, *place)),
-        Target::Mass(..) => None,
+    let beam_place = |at: At<'_>| match at {
+        At::Beam(place) => Some(distance(model, place)),
+        At::Subsystem(_) | At::Support(_) | At::Ground => None,
     };
     let forces = model.forces.iter().filter(|force| force.enabled);
-    let responses = model.responses.iter().filter(|response| response.enabled);
     let mut all: Vec<f64> = model.attached().map(|s| s.position).collect();
     all.extend(model.supports.inner.iter().map(|inner| inner.position));
     all.extend(model.joints.iter().map(|joint| joint.position));
     all.extend(parts.iter().map(|part| part.end));
-    all.extend(forces.filter_map(|force| beam_place(&force.target)));
-    all.extend(responses.filter_map(|response| match &response.quantity {
-        Quantity::Motion(target, _) => beam_place(target),
-        Quantity::Energy => None,
-    }));
+    all.extend(forces.filter_map(|force| beam_place(force.target.at())));
+    all.extend(
+        model
+            .computed()
+            .filter_map(|response| beam_place(response.quantity.at()?)),
+    );
     all.sort_by(f64::total_cmp);
     let length = model.length();
     let mut places = vec![0.0];

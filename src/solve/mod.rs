@@ -57,6 +57,7 @@ mod linear;
 pub mod modes;
 mod notes;
 pub mod operating;
+mod output;
 pub mod peaks;
 mod plan;
 mod quadrature;

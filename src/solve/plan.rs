@@ -7,11 +7,12 @@ use num_complex::Complex64;
 use super::attachment::Attachment;
 use super::beam_state::BeamState;
 use super::linear::ZERO;
-use super::springs::restraint_stiffness;
+use super::output::{Holds, Output, Read, Row, Sum};
+use super::springs::{restraint_stiffness, rows};
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, MassMotion, Measure, Model, Place, Quantity, Restraint, Spring, Support, SupportId,
-    Target, UniformPart,
+    BeamMotion, Holder, Measure, Model, Place, Quantity, Reaction, Response, Restraint, Spring,
+    SpringName, Subsystem, Support, SupportId, Target, UniformPart,
 };
 
 /// The part of a model that does not depend on the frequency.
@@ -27,7 +28,9 @@ pub(super) struct Plan {
     pub(super) kinds: Vec<SpanKind>,
     /// Index in `kinds` of the span left of each station, and last of the span up to the right end.
     pub(super) spans: Vec<usize>,
-    /// Where each response comes from.
+    /// The rows that the outputs need.
+    pub(super) reads: Vec<Read>,
+    /// The value of each enabled response.
     pub(super) outputs: Vec<Output>,
     /// Whether some response needs the waves in every span.
     pub(super) wants_energy: bool,
@@ -48,6 +51,8 @@ pub(super) struct Held {
     pub(super) support: Support,
     /// Loads along the six motions of the axis, N and N m.
     pub(super) load: [Complex64; 6],
+    /// The motions of the ground, along those of its point, m and rad: springs stretch by less, and fixed motions follow.
+    pub(super) ground: [Complex64; 6],
     /// Whether the beam there has no warping stiffness.
     pub(super) without_warping: bool,
 }
@@ -63,6 +68,7 @@ impl Held {
         Self {
             support,
             load: [ZERO; 6],
+            ground: [ZERO; 6],
             without_warping,
         }
     }
@@ -79,11 +85,12 @@ impl Held {
     /// The motions of the axis without the rounding of those that it fixes.
     pub(super) fn held(&self, axis: &[Complex64; 6]) -> [Complex64; 6] {
         BeamMotion::ALL.map(|motion| {
-            if self.fixes(motion, 0.0) {
-                ZERO
-            } else {
-                axis[motion as usize]
+            if !self.fixes(motion, 0.0) {
+                return axis[motion as usize];
             }
+            // With an arm the twist is fixed, too.
+            let arm = self.support.point.arm(motion).unwrap_or_default();
+            self.ground[motion as usize] - arm * self.ground[BeamMotion::Psi as usize]
         })
     }
 
@@ -108,7 +115,13 @@ impl Held {
                 None => before[row] - after[row] - loads[row],
                 // A free motion may be infinite.
                 Some(k) if k == ZERO => ZERO,
-                Some(k) => -k * motions[row],
+                Some(k) => {
+                    let spring = self.support[motion]
+                        .elastic()
+                        .spring
+                        .dynamic_stiffness(omega);
+                    spring * self.ground[row] - k * motions[row]
+                }
             }
         })
     }
@@ -176,40 +189,10 @@ pub(super) enum Event {
     Junction(usize),
     /// Loads along the six motions.
     Load([Complex64; 6]),
+    /// A gap: jumps of the six motions, right minus left, m and rad.
+    Gap([Complex64; 6]),
     /// Only a position to read a response.
     Probe,
-}
-
-/// Where a response is read.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Output {
-    /// A motion of the beam at a station, plus its twist times an arm, m: w and v at a point of the section.
-    Beam {
-        station: usize,
-        motion: BeamMotion,
-        arm: f64,
-        measure: Measure,
-    },
-    /// A motion of the mass at a station.
-    Mass {
-        station: usize,
-        motion: MassMotion,
-        measure: Measure,
-    },
-    /// The rate of twist where a torque may make it jump: without warping stiffness, at a load, a subsystem, a support or
-    /// a joint between the ends.
-    ///
-    /// Its value is the mean of both sides, the limit for a warping constant that goes to 0: warping makes the same
-    /// boundary layer on both sides of the torque. At an end it is the value just inside the end.
-    MeanTwistRate {
-        /// Just before and just after everything at that position.
-        stations: [usize; 2],
-        measure: Measure,
-    },
-    /// A motion that a support fixes, always 0.
-    Held,
-    /// `E_V`.
-    Energy,
 }
 
 impl Plan {
@@ -223,18 +206,15 @@ impl Plan {
         &self.beams[self.kinds[self.spans[span]].beam]
     }
 
-    /// Whether any response is read at two stations.
-    pub(super) fn has_means(&self) -> bool {
-        let mut outputs = self.outputs.iter();
-        outputs.any(|output| matches!(output, Output::MeanTwistRate { .. }))
-    }
-
-    /// The outputs that are read at one station, by ascending station.
-    pub(super) fn reads(&self) -> Vec<(usize, Output)> {
-        let at_station = |output: &Output| output.station().map(|station| (station, *output));
-        let mut reads: Vec<_> = self.outputs.iter().filter_map(at_station).collect();
-        reads.sort_by_key(|(station, _)| *station);
-        reads
+    /// A response that is one more read.
+    pub(super) fn output_of(&mut self, read: Read) -> Output {
+        let terms = vec![(1.0, self.reads.len())];
+        self.reads.push(read);
+        let sum = Sum {
+            terms,
+            measure: Measure::Displacement,
+        };
+        Output::Sum(sum, None)
     }
 
     /// The same on a beam of another length, m, with additional probes, m from the left end.
@@ -248,8 +228,8 @@ impl Plan {
         plan.stations
             .sort_by(|a, b| a.position.total_cmp(&b.position));
         (plan.kinds, plan.spans) = spans(&plan.stations, length);
-        // The outputs refer to the old station numbers.
-        plan.outputs = Vec::new();
+        // The reads refer to the old station numbers.
+        (plan.reads, plan.outputs) = (Vec::new(), Vec::new());
         plan
     }
 
@@ -292,6 +272,7 @@ impl Plan {
             | Event::Joint(_)
             | Event::Junction(_)
             | Event::Load(_)
+            | Event::Gap(_)
             | Event::Probe => None,
         })
     }
@@ -313,6 +294,7 @@ impl Plan {
             | Event::Support(_)
             | Event::Junction(_)
             | Event::Load(_)
+            | Event::Gap(_)
             | Event::Probe => None,
         })
     }
@@ -326,7 +308,11 @@ impl Plan {
         let is_before = |index: usize, event: &Event| match event {
             Event::Joint(_) => true,
             Event::Junction(_) => self.beam(first + index).without_warping(),
-            Event::Attachment(_) | Event::Support(_) | Event::Load(_) | Event::Probe => false,
+            Event::Attachment(_)
+            | Event::Support(_)
+            | Event::Load(_)
+            | Event::Gap(_)
+            | Event::Probe => false,
         };
         let before = here.filter(|(index, of)| is_before(*index, &of.event));
         first + before.last().map_or(0, |(index, _)| index + 1)
@@ -382,6 +368,7 @@ struct Layout<'a> {
     supports: Range<usize>,
     /// Station of each subsystem, by name.
     masses: std::collections::HashMap<&'a str, usize>,
+    reads: Vec<Read>,
     outputs: Vec<Output>,
 }
 
@@ -415,28 +402,49 @@ impl<'a> Layout<'a> {
             first_probes: 0,
             supports: 0..0,
             masses: std::collections::HashMap::new(),
+            reads: Vec::new(),
             outputs: Vec::new(),
         }
     }
 
-    /// Without warping stiffness a rate of twist is also read before what acts at its position, except at the left end.
+    /// The positions where a response is read before everything that acts there.
     fn place_first_probes(&mut self) {
-        for response in self.model.responses.iter().filter(|r| r.enabled) {
-            if let Quantity::Motion(Target::Beam(place, BeamMotion::PsiSlope), _) =
-                response.quantity
-            {
-                let position = self.x(place);
-                let is_new = self.stations.iter().all(|s| s.position != position);
-                let without_warping = !UniformPart::at(&self.parts, position).warps();
-                if position != 0.0 && without_warping && is_new && self.acts_at(position) {
-                    self.stations.push(Station {
-                        position,
-                        event: Event::Probe,
-                    });
-                }
-            }
-        }
+        let first = self
+            .model
+            .computed()
+            .filter_map(|of| self.is_read_first(of));
+        let mut positions: Vec<f64> = first.collect();
+        positions.sort_by(f64::total_cmp);
+        positions.dedup();
+        let probes = positions.into_iter().map(|position| Station {
+            position,
+            event: Event::Probe,
+        });
+        self.stations.extend(probes);
         self.first_probes = self.stations.len();
+    }
+
+    /// The position of a response that is also, or only, read before everything that acts there: without warping stiffness a rate
+    /// of twist, except at the left end; a reaction at the left end; an internal force at the right end.
+    fn is_read_first(&self, response: &Response) -> Option<f64> {
+        match response.quantity {
+            Quantity::Motion(Target::Beam(place, BeamMotion::PsiSlope), _) => {
+                let x = self.x(place);
+                let without_warping = !UniformPart::at(&self.parts, x).warps();
+                (x != 0.0 && without_warping && self.acts_at(x)).then_some(x)
+            }
+            Quantity::Reaction(Reaction::Support(Holder::Left, _) | Reaction::Ground(_)) => {
+                Some(0.0)
+            }
+            Quantity::InternalForce(place, _) => {
+                let length = self.model.length();
+                (self.x(place) == length).then_some(length)
+            }
+            Quantity::Motion(..)
+            | Quantity::Reaction(_)
+            | Quantity::Spring(..)
+            | Quantity::Energy => None,
+        }
     }
 
     /// Where those parts end that are so.
@@ -495,8 +503,8 @@ impl<'a> Layout<'a> {
         for subsystem in self.model.attached() {
             self.masses.insert(&subsystem.name, self.stations.len());
             let mut attachment = Attachment::new(subsystem);
-            attachment.held = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V]
-                .map(|motion| self.is_held(subsystem.position, motion, 0.0));
+            attachment.held =
+                DISPLACEMENTS.map(|motion| self.is_held(subsystem.position, motion, 0.0));
             self.stations.push(Station {
                 position: subsystem.position,
                 event: Event::Attachment(Box::new(attachment)),
@@ -567,69 +575,157 @@ impl<'a> Layout<'a> {
 
     fn place_probes(&mut self) {
         for response in self.model.responses.iter().filter(|r| r.enabled) {
-            let output = match &response.quantity {
-                Quantity::Energy => Output::Energy,
-                Quantity::Motion(Target::Beam(place, motion), measure) => {
-                    let arm = response.point.arm(*motion).unwrap_or_default();
-                    self.probe_beam(self.x(*place), (*motion, arm), *measure)
+            let output = match self.sum(response) {
+                Some(sum) => {
+                    let divisor = response.divisor(self.model);
+                    Output::Sum(sum, divisor.and_then(|divisor| self.sum(divisor)))
                 }
-                Quantity::Motion(Target::Mass(name, motion), measure) => {
-                    match self.masses.get(name.as_str()) {
-                        Some(&station) => Output::Mass {
-                            station,
-                            motion: *motion,
-                            measure: *measure,
-                        },
-                        // A checked model has no enabled response on a disabled subsystem.
-                        None => Output::Held,
-                    }
-                }
+                None => Output::Energy,
             };
             self.outputs.push(output);
         }
     }
 
-    fn probe_beam(&mut self, x: f64, (motion, arm): (BeamMotion, f64), measure: Measure) -> Output {
-        if self.is_held(x, motion, arm) {
-            return Output::Held;
-        }
-        let probe_at = |s: &Station| s.position == x && matches!(s.event, Event::Probe);
-        let (firsts, rest) = self.stations.split_at(self.first_probes);
-        let first = firsts
-            .iter()
-            .position(probe_at)
-            .filter(|_| motion == BeamMotion::PsiSlope);
-        let beam = |station| Output::Beam {
-            station,
-            motion,
-            arm,
-            measure,
+    /// The rows of a response; none for an energy.
+    fn sum(&mut self, response: &Response) -> Option<Sum> {
+        let mut measure = Measure::Displacement;
+        let terms = match &response.quantity {
+            Quantity::Motion(Target::Beam(place, motion), of) => {
+                measure = *of;
+                let arm = response.point.arm(*motion).unwrap_or_default();
+                self.motion_of_beam(self.x(*place), *motion, arm)
+            }
+            Quantity::Motion(Target::Mass(name, motion), of) => {
+                measure = *of;
+                self.of_mass(name, Row::Mass(*motion))
+            }
+            Quantity::Reaction(Reaction::Support(holder, motion)) => {
+                let id = SupportId::all(self.model).find(|id| id.name(self.model) == holder.name());
+                id.map_or_else(Vec::new, |id| self.reaction(id, *motion))
+            }
+            Quantity::Reaction(Reaction::Ground(across)) => {
+                let all = SupportId::all(self.model);
+                all.flat_map(|id| self.reaction(id, (*across).into()))
+                    .collect()
+            }
+            Quantity::InternalForce(place, motion) => {
+                let x = self.x(*place);
+                let station = if x == self.model.length() {
+                    self.first_probe(x)
+                } else {
+                    Some(self.probe(x))
+                };
+                let terms = station.map(|station| self.term(1.0, station, Row::Force(*motion)));
+                terms.into_iter().collect()
+            }
+            Quantity::Spring(name, spring, of) => {
+                if let Some(station) = self.masses.get(name.as_str()) {
+                    // Where the load of its derivatives acts.
+                    self.probe(self.stations[*station].position);
+                }
+                self.of_mass(name, Row::Spring(*spring, *of))
+            }
+            Quantity::Energy => return None,
         };
-        if let Some(station) = first
-            && x == self.model.length()
-        {
-            return beam(station);
+        Some(Sum { terms, measure })
+    }
+
+    /// One more read, as a term of a sum.
+    fn term(&mut self, factor: f64, station: usize, row: Row) -> (f64, usize) {
+        self.reads.push(Read { station, row });
+        (factor, self.reads.len() - 1)
+    }
+
+    /// A row at a subsystem; a checked model has no response on a disabled one.
+    fn of_mass(&mut self, name: &str, row: Row) -> Vec<(f64, usize)> {
+        let station = self.masses.get(name).copied();
+        let term = station.map(|station| self.term(1.0, station, row));
+        term.into_iter().collect()
+    }
+
+    /// The reaction of a support, with what subsystems at its place put on a motion that it fixes.
+    fn reaction(&mut self, id: SupportId, motion: BeamMotion) -> Vec<(f64, usize)> {
+        let x = id.position(self.model);
+        let (holds, station) = match id {
+            SupportId::Left => (Holds::Left, self.first_probe(x)),
+            SupportId::Right => (Holds::Right, Some(self.probe(x))),
+            SupportId::Inner(index) => (Holds::Station, Some(self.supports.start + index)),
+        };
+        let held = match (id, station.map(|station| &self.stations[station].event)) {
+            (SupportId::Left, _) => &self.left,
+            (SupportId::Right, _) => &self.right,
+            (SupportId::Inner(_), Some(Event::Support(held))) => held,
+            (SupportId::Inner(_), _) => return Vec::new(),
+        };
+        // Without warping stiffness no bimoment reaches a support.
+        if motion == BeamMotion::PsiSlope && held.without_warping {
+            return Vec::new();
         }
-        let known = rest.iter().position(probe_at);
-        let last = known.map_or(self.stations.len(), |index| self.first_probes + index);
-        if known.is_none() {
-            self.stations.push(Station {
-                position: x,
-                event: Event::Probe,
-            });
+        let own = station.map(|station| (1.0, station, Row::Reaction(holds, motion)));
+        let here = self.model.attached().filter(|of| of.position == x);
+        let passed = here.flat_map(|subsystem| {
+            let station = self.masses[&*subsystem.name];
+            let springs = passed_on(held, motion, subsystem);
+            springs.map(move |(factor, spring)| (factor, station, Row::OnFixed(spring)))
+        });
+        let all: Vec<_> = own.into_iter().chain(passed).collect();
+        let terms = all.into_iter();
+        terms
+            .map(|(factor, station, row)| self.term(factor, station, row))
+            .collect()
+    }
+
+    /// The rate of twist jumps at a torque without warping stiffness, at a load, a subsystem, a support or a joint between the
+    /// ends. There it is the mean of both sides, just before and just after everything at that position: the limit for a
+    /// warping constant that goes to 0, because warping makes the same boundary layer on both sides of the torque. At an
+    /// end it is the value just inside the end.
+    fn motion_of_beam(&mut self, x: f64, motion: BeamMotion, arm: f64) -> Vec<(f64, usize)> {
+        if self.is_held(x, motion, arm) {
+            return Vec::new();
         }
-        first.map_or(beam(last), |first| Output::MeanTwistRate {
-            stations: [first, last],
-            measure,
-        })
+        let row = Row::Motion(motion, arm);
+        let without_warping = !UniformPart::at(&self.parts, x).warps();
+        let is_rate = motion == BeamMotion::PsiSlope && without_warping && x != 0.0;
+        let first = self.first_probe(x).filter(|_| is_rate);
+        match first {
+            Some(first) if x == self.model.length() => vec![self.term(1.0, first, row)],
+            Some(first) => {
+                let last = self.probe(x);
+                vec![self.term(0.5, first, row), self.term(0.5, last, row)]
+            }
+            None => {
+                let station = self.probe(x);
+                vec![self.term(1.0, station, row)]
+            }
+        }
+    }
+
+    /// The station of the probe before everything at a position.
+    fn first_probe(&self, position: f64) -> Option<usize> {
+        let mut firsts = self.stations[..self.first_probes].iter();
+        firsts.position(|of| of.position == position)
+    }
+
+    /// The station of a probe after everything at a position.
+    fn probe(&mut self, position: f64) -> usize {
+        let is_it = |of: &Station| of.position == position && matches!(of.event, Event::Probe);
+        let rest = &self.stations[self.first_probes..];
+        if let Some(known) = rest.iter().position(is_it) {
+            return self.first_probes + known;
+        }
+        self.stations.push(Station {
+            position,
+            event: Event::Probe,
+        });
+        self.stations.len() - 1
     }
 
     fn x(&self, place: Place) -> f64 {
         place.position(self.model.length())
     }
 
-    /// Sorts the stations by x and renumbers the outputs.
-    fn finish(self) -> Plan {
+    /// Sorts the stations by x and renumbers those of the reads.
+    fn finish(mut self) -> Plan {
         let mut order: Vec<usize> = (0..self.stations.len()).collect();
         order.sort_by(|&a, &b| {
             self.stations[a]
@@ -640,20 +736,9 @@ impl<'a> Layout<'a> {
         for (new, &old) in order.iter().enumerate() {
             rank[old] = new;
         }
-        let outputs: Vec<Output> = self
-            .outputs
-            .iter()
-            .map(|output| match *output {
-                Output::MeanTwistRate { stations, measure } => Output::MeanTwistRate {
-                    stations: stations.map(|station| rank[station]),
-                    measure,
-                },
-                Output::Beam { station, .. } | Output::Mass { station, .. } => {
-                    output.at_station(rank[station])
-                }
-                Output::Held | Output::Energy => *output,
-            })
-            .collect();
+        for read in &mut self.reads {
+            read.station = rank[read.station];
+        }
         let mut stations = self.stations;
         stations.sort_by(|a, b| a.position.total_cmp(&b.position));
         let (kinds, spans) = spans(&stations, self.model.length());
@@ -661,49 +746,42 @@ impl<'a> Layout<'a> {
             beams: self.beams,
             left: self.left,
             right: self.right,
-            wants_energy: outputs.iter().any(|o| matches!(o, Output::Energy)),
+            wants_energy: self.outputs.contains(&Output::Energy),
             stations,
             kinds,
             spans,
-            outputs,
+            reads: self.reads,
+            outputs: self.outputs,
         }
     }
 }
 
-impl Output {
-    /// The station at which it is read, if it is one.
-    pub(super) const fn station(self) -> Option<usize> {
-        match self {
-            Self::Beam { station, .. } | Self::Mass { station, .. } => Some(station),
-            Self::MeanTwistRate { .. } | Self::Held | Self::Energy => None,
+/// The springs of a subsystem that act on motions which a support at its place fixes, with the share of each that the support
+/// takes along one of its motions.
+fn passed_on(
+    held: &Held,
+    motion: BeamMotion,
+    subsystem: &Subsystem,
+) -> impl Iterator<Item = (f64, SpringName)> {
+    let [across, left, right] = rows(subsystem).map(|stretch| {
+        // The forces on the beam's axis where it does not move.
+        let mut forces = [ZERO; 6];
+        for (own, share) in DISPLACEMENTS.into_iter().zip(stretch.beam) {
+            if held.fixes(own, 0.0) {
+                forces[own as usize] = share.into();
+            }
         }
-    }
-
-    /// The same, read at another station.
-    pub(super) const fn at_station(self, station: usize) -> Self {
-        match self {
-            Self::Beam {
-                motion,
-                arm,
-                measure,
-                ..
-            } => Self::Beam {
-                station,
-                motion,
-                arm,
-                measure,
-            },
-            Self::Mass {
-                motion, measure, ..
-            } => Self::Mass {
-                station,
-                motion,
-                measure,
-            },
-            other => other,
-        }
-    }
+        held.support.point.forces(&forces)[motion as usize].re
+    });
+    let is_fixed = held.support[motion] == Restraint::Fixed;
+    let shares = [across, across, left, right]
+        .into_iter()
+        .zip(SpringName::ALL);
+    shares.filter(move |(share, _)| is_fixed && *share != 0.0)
 }
+
+/// The displacements of the axis, in the order of the rows of springs.
+const DISPLACEMENTS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
 
 /// The supports at a distance from the left end of a beam of a length, both m, by its ends and some stations.
 fn held_at<'a>(
@@ -722,6 +800,7 @@ fn held_at<'a>(
             | Event::Junction(_)
             | Event::Attachment(_)
             | Event::Load(_)
+            | Event::Gap(_)
             | Event::Probe => None,
         });
     let ends = ends.into_iter().filter(|(_, is_here)| *is_here);

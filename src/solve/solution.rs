@@ -33,6 +33,8 @@ pub(super) struct Solution {
     pub(super) spans: Vec<SpanWaves>,
     /// The state of the subsystem at each station; zero for stations without one.
     pub(super) masses: Vec<MassSolution>,
+    /// The value of each read of the plan.
+    pub(super) reads: Vec<Complex64>,
 }
 
 /// The complete solution as states.
@@ -53,6 +55,19 @@ impl Solution {
     /// The wave numbers of all beams, 1/m.
     pub(super) fn wave_numbers(&self) -> Vec<Complex64> {
         self.waves.iter().flat_map(|waves| waves.kappa).collect()
+    }
+
+    /// Multiplies the state by a factor; the reads stay.
+    pub(super) fn scale(&mut self, by: Complex64) {
+        let waves = self
+            .spans
+            .iter_mut()
+            .flat_map(|span| span.a.iter_mut().chain(&mut span.b));
+        let masses = self.masses.iter_mut();
+        let masses = masses.flat_map(|of| of.forces.iter_mut().chain(&mut of.motion));
+        for value in waves.chain(masses) {
+            *value *= by;
+        }
     }
 
     /// The waves of the beam of a span: that left of the station with its index.

@@ -10,7 +10,7 @@ use super::Cancelled;
 use super::kernel::{Instructions, MOST_LANES, Prepared, Solver};
 use super::limit;
 use super::plan::Plan;
-use crate::model::{Checked, Model, Quantity, Response, Spacing, Sweep};
+use crate::model::{Checked, Model, Response, Spacing, Sweep};
 
 /// Frequency responses of a model: one column for each enabled response, one value for each frequency.
 #[derive(Debug, Clone, PartialEq)]
@@ -241,7 +241,7 @@ fn columns(model: &Model, count: usize) -> Vec<Column> {
     let responses = model.responses.iter().filter(|r| r.enabled);
     let column = |response: &Response| Column {
         name: response.name.clone(),
-        kind: if response.quantity == Quantity::Energy {
+        kind: if response.quantity.is_quadratic() {
             ColumnKind::Energy
         } else {
             ColumnKind::Complex

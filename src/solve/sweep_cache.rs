@@ -13,7 +13,8 @@ use rayon::prelude::*;
 
 use super::Cancelled;
 use super::kernel::{MOST_LANES, Prepared, SideBatch, Solver, Source, Substructure, low_limit};
-use super::plan::{Event, Output, Plan};
+use super::output::{Holds, Read, Row};
+use super::plan::{Event, Plan};
 use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
 use super::waves::BeamConstants;
 use crate::model::Checked;
@@ -127,7 +128,7 @@ impl SweepCache {
     /// Whether the sides for the edit from `model` to `edited` also fit another model.
     pub fn would_serve(model: &Checked, edited: &Checked, other: &Checked) -> bool {
         let [plan, edited, other] = [model, edited, other].map(|model| Plan::new(model));
-        let part = common(&plan, &edited).and_then(|common| part(common, &plan, &edited));
+        let part = part(common(&plan, &edited), &plan, &edited);
         part.is_some_and(|part| serves(&edited, part, &other))
     }
 
@@ -162,7 +163,7 @@ impl SweepCache {
         frequencies: &[f64],
         cancel: &AtomicBool,
     ) -> Result<(), Cancelled> {
-        let Some(part) = common(one, other).and_then(|common| part(common, one, other)) else {
+        let Some(part) = part(common(one, other), one, other) else {
             return Ok(());
         };
         // The sides of another place would only use memory.
@@ -211,24 +212,23 @@ fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
     let Part { left, right } = part;
     let has_energy = known.wants_energy || !plan.wants_energy;
     let has_digits = low_limit(plan) <= MOST_RISE * low_limit(known);
-    common(known, plan).is_some_and(|common| {
-        has_energy
-            && has_digits
-            && common.left >= left
-            && common.right >= right
-            && left + right <= plan.stations.len()
-    })
+    let common = common(known, plan);
+    has_energy
+        && has_digits
+        && common.left >= left
+        && common.right >= right
+        && left + right <= plan.stations.len()
 }
 
-/// The stations that two plans have in common, from the left and from the right; `None` if a response is read at two
-/// stations, because a side could end between them. No stations on a side whose end differs.
-fn common(one: &Plan, other: &Plan) -> Option<Part> {
-    if one.has_means() || other.has_means() {
-        return None;
-    }
+/// The stations that two plans have in common, from the left and from the right. No stations on a side whose end differs.
+fn common(one: &Plan, other: &Plan) -> Part {
     let (most, reads) = (
         one.stations.len().min(other.stations.len()),
-        [one.reads(), other.reads()],
+        [one, other].map(|plan| {
+            let mut reads = plan.reads.clone();
+            reads.sort_by_key(|read| read.station);
+            reads
+        }),
     );
     let known = |beam: &BeamConstants| one.beams.iter().position(|known| known == beam);
     let known: Vec<Option<usize>> = other.beams.iter().map(known).collect();
@@ -260,30 +260,40 @@ fn common(one: &Plan, other: &Plan) -> Option<Part> {
     );
     let last = |plan: &Plan| plan.kinds[plan.last_span()].length;
     let ends_there = last(one) == last(other);
-    Some(Part {
-        left: if one.left == other.left {
-            from_left.min(differ_left)
-        } else {
-            0
-        },
-        right: if one.right == other.right && ends_there {
-            from_right.min(differ_right)
-        } else {
-            0
-        },
-    })
+    // The reaction of an end that differs is read in the part, too.
+    let beside = |holds: Holds, plan: &Plan, place: fn(usize, usize) -> usize| {
+        let reads = plan.reads.iter();
+        let own = reads.filter(move |read| matches!(read.row, Row::Reaction(of, _) if of == holds));
+        let places = own.map(|read| place(read.station, plan.stations.len()));
+        places.min().unwrap_or(usize::MAX)
+    };
+    let both = |holds, place| beside(holds, one, place).min(beside(holds, other, place));
+    let mut common = Part {
+        left: from_left.min(differ_left),
+        right: from_right.min(differ_right),
+    };
+    if one.left != other.left {
+        let from_there = both(Holds::Left, |station, count| count - 1 - station);
+        common.left = 0;
+        common.right = common.right.min(from_there);
+    }
+    if one.right != other.right || !ends_there {
+        common.left = common.left.min(both(Holds::Right, |station, _| station));
+        common.right = 0;
+    }
+    common
 }
 
-/// The first station, counted by `place` from one of the ends, at which two lists of outputs differ.
+/// The first station, counted by `place` from one of the ends, at which two lists of reads differ.
 fn first_difference(
-    one: &[(usize, Output)],
-    other: &[(usize, Output)],
+    one: &[Read],
+    other: &[Read],
     place: impl Fn(usize, usize) -> usize,
     counts: [usize; 2],
 ) -> usize {
-    let at = |list: &[(usize, Output)], index: usize, count| {
+    let at = |list: &[Read], index: usize, count| {
         list.get(index)
-            .map(|(station, output)| (place(*station, count), output.at_station(0)))
+            .map(|read| (place(read.station, count), read.row))
     };
     (0..one.len().max(other.len()))
         .find_map(|index| {
@@ -313,48 +323,43 @@ fn substructure(plan: Plan, part: Part, known: &Plan) -> Substructure {
     let count = plan.stations.len();
     let range = part.left..count - part.right;
     let sources = sources(&plan, &range, known, part);
-    let outputs = plan.outputs.iter().enumerate();
-    let mut read: Vec<(usize, usize)> = outputs
-        .filter_map(|(number, output)| Some((output.station()?, number)))
-        .collect();
-    read.sort_unstable();
+    let reads = plan.reads.iter().enumerate();
+    let mut by_station: Vec<(usize, usize)> =
+        reads.map(|(number, read)| (read.station, number)).collect();
+    by_station.sort_unstable();
     Substructure {
         prepared: Prepared::new(plan).with_limit_of(known),
         part: range,
         sources,
-        read,
+        by_station,
     }
 }
 
-/// The source of each output: its index among those of its side, in the order of the known plan.
+/// The source of each read: its index among those of its side, in the order of the known plan.
 fn sources(plan: &Plan, range: &Range<usize>, known: &Plan, part: Part) -> Vec<Source> {
     let from_right = known.stations.len() - part.right;
-    let on_side = |is_there: &dyn Fn(usize) -> bool, shift: usize| -> Vec<Output> {
-        let there = known
-            .outputs
-            .iter()
-            .filter(|output| output.station().is_some_and(is_there));
-        there
-            .map(|output| output.at_station(output.station().unwrap_or(0) - shift))
-            .collect()
+    let shifted = |read: &Read, by: usize| Read {
+        station: read.station - by,
+        ..*read
+    };
+    let on_side = |is_there: &dyn Fn(usize) -> bool, by: usize| -> Vec<Read> {
+        let there = known.reads.iter().filter(|read| is_there(read.station));
+        there.map(|read| shifted(read, by)).collect()
     };
     let left = on_side(&|station| station < part.left, 0);
     let right = on_side(&|station| station >= from_right, from_right);
-    let find = |list: &[Output], output: Output| list.iter().position(|known| *known == output);
-    let source = |output: &Output| {
-        let Some(station) = output.station() else {
-            return Source::Substructure;
-        };
-        let found = if station < range.start {
-            find(&left, *output).map(Source::Left)
-        } else if station >= range.end {
-            find(&right, output.at_station(station - range.end)).map(Source::Right)
+    let find = |list: &[Read], read: Read| list.iter().position(|known| *known == read);
+    let source = |read: &Read| {
+        let found = if read.station < range.start {
+            find(&left, *read).map(Source::Left)
+        } else if read.station >= range.end {
+            find(&right, shifted(read, range.end)).map(Source::Right)
         } else {
             None
         };
         found.unwrap_or(Source::Substructure)
     };
-    plan.outputs.iter().map(source).collect()
+    plan.reads.iter().map(source).collect()
 }
 
 /// The sides for each group of frequencies.

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::search::Function;
-use crate::model::{Checked, ParameterId, Quantity};
+use crate::model::{Checked, ParameterId};
 use crate::solve::modes::{Modes, uncertified};
 use crate::solve::sensitivity::{Differentiator, Gradient};
 use crate::solve::{Cancelled, sweep};
@@ -66,7 +66,7 @@ impl<'a> Candidate<'a> {
     /// Whether a response is an energy.
     pub(super) fn is_energy(&self, response: usize) -> bool {
         let of = self.model.responses.get(response);
-        of.is_some_and(|one| one.quantity == Quantity::Energy)
+        of.is_some_and(|one| one.quantity.is_quadratic())
     }
 }
 

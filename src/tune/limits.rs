@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::candidate::{Candidate, Moved, Slopes};
+use super::objectives::Peak;
 use super::search::Function;
 use crate::model::schema::SubsystemKey;
 use crate::model::{Checked, Group, Limit, Model, ParameterId, check_state, edit};
@@ -18,6 +19,8 @@ pub(super) enum Bound {
     AddedMass { at_most: f64 },
     /// For each undamped mode its depth inside the band, over the width of the band; negative outside.
     NoMode { band: [f64; 2] },
+    /// (|H| - most) / most for each of the highest peaks in the band.
+    Peak { peak: Peak, at_most: f64 },
     /// (|H| at rest - most) / most.
     StaticDeflection { response: usize, at_most: f64 },
     /// least / factor - 1 for each of the least factors on the axial force at which the beam buckles; none in tension.
@@ -25,9 +28,13 @@ pub(super) enum Bound {
 }
 
 impl Bound {
-    /// The bound of a limit; `place` gives the index of a response by its name.
-    pub(super) fn new(limit: &Limit, place: impl Fn(&str) -> usize) -> Self {
+    /// The bound of a limit; `sweep` is the band of the model, Hz, and `place` gives the index of a response by its name.
+    pub(super) fn new(limit: &Limit, sweep: [f64; 2], place: impl Fn(&str) -> usize) -> Self {
         match limit {
+            Limit::Peak { response, at_most } => Self::Peak {
+                peak: Peak::new(place(response), sweep),
+                at_most: *at_most,
+            },
             Limit::AddedMass { at_most } => Self::AddedMass { at_most: *at_most },
             Limit::NoMode { from, to } => Self::NoMode { band: [*from, *to] },
             Limit::StaticDeflection { response, at_most } => Self::StaticDeflection {
@@ -37,6 +44,17 @@ impl Bound {
             Limit::Buckling { at_least } => Self::Buckling {
                 at_least: *at_least,
             },
+        }
+    }
+
+    /// The highest frequency up to which it needs the modes of the candidate, Hz; none if it needs none.
+    pub(super) const fn modes_to(&self) -> Option<f64> {
+        match self {
+            Self::Peak { peak, .. } => Some(peak.band[1]),
+            Self::AddedMass { .. }
+            | Self::NoMode { .. }
+            | Self::StaticDeflection { .. }
+            | Self::Buckling { .. } => None,
         }
     }
 
@@ -51,6 +69,7 @@ impl Bound {
                     None => vec![f64::INFINITY],
                 }
             }
+            Self::Peak { peak, at_most } => vec![peak.read(candidate)?.figure / at_most - 1.0],
             Self::StaticDeflection { response, at_most } => {
                 let deflection = at_rest(candidate, *response)?.norm();
                 vec![deflection / at_most - 1.0]
@@ -73,6 +92,14 @@ impl Bound {
         Ok(match self {
             Self::AddedMass { at_most } => vec![added_mass_function(candidate, moved, *at_most)],
             Self::NoMode { band } => modes_in(candidate, moved, *band)?,
+            Self::Peak { peak, at_most } => {
+                let relative = |of: Function| Function {
+                    value: of.value / at_most - 1.0,
+                    gradient: of.gradient.iter().map(|slope| slope / at_most).collect(),
+                };
+                let peaks = peak.functions(candidate, slopes)?.into_iter();
+                peaks.map(relative).collect()
+            }
             Self::StaticDeflection { response, at_most } => {
                 vec![deflection(candidate, slopes, *response, *at_most)]
             }
@@ -80,7 +107,7 @@ impl Bound {
         })
     }
 
-    /// The value for display: the mass, kg; the frequency of the mode deepest in the band or nearest to it, Hz; the
+    /// The value for display: the mass, kg; the frequency of the mode deepest in the band or nearest to it, Hz; the peak or the
     /// deflection, in the response's unit; the least factor at which the beam buckles.
     pub(super) fn reading(&self, candidate: &Candidate) -> Result<f64, Cancelled> {
         Ok(match self {
@@ -90,6 +117,7 @@ impl Bound {
                 let deeper = |a: &f64, b: &f64| depth(*a, *band).total_cmp(&depth(*b, *band));
                 all.into_iter().flatten().max_by(deeper).unwrap_or(f64::NAN)
             }
+            Self::Peak { peak, .. } => peak.read(candidate)?.figure,
             Self::StaticDeflection { response, .. } => at_rest(candidate, *response)?.norm(),
             Self::Buckling { .. } => {
                 let factor = buckling_factor(&candidate.model).filter(|factor| *factor > 0.0);
@@ -107,7 +135,10 @@ const SEEN: f64 = 2.0;
 pub(super) fn looks_to(limit: &Limit) -> Option<f64> {
     match limit {
         Limit::NoMode { to, .. } => Some(SEEN * to),
-        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } | Limit::Buckling { .. } => None,
+        Limit::AddedMass { .. }
+        | Limit::Peak { .. }
+        | Limit::StaticDeflection { .. }
+        | Limit::Buckling { .. } => None,
     }
 }
 

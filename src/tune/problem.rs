@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::candidate::{Candidate, Moved};
 use super::coordinates::Coordinate;
 use super::limits::{self, Bound};
-use super::objectives::{self, Figure};
+use super::objectives::Figure;
 use crate::model::{
     Aim, Checked, Combine, Fault, Limit, Model, Objective, Point, Quantity, Response, Tune,
     check_state, edit, path,
@@ -86,12 +86,13 @@ impl Problem {
         faults.extend(restless(model, tune));
         faults.extend(crowded(model, tune));
         let place = |name: &str| place_of(&bare, name);
-        let bounds = tune
-            .limits
-            .iter()
-            .map(|limit| Bound::new(limit, place))
+        let sweep = [bare.sweep.from, bare.sweep.to];
+        let bounds = tune.limits.iter();
+        let bounds: Vec<Bound> = bounds
+            .map(|limit| Bound::new(limit, sweep, place))
             .collect();
         let ends = aims.iter().filter_map(|aimed| aimed.figure.modes_to());
+        let ends = ends.chain(bounds.iter().filter_map(Bound::modes_to));
         let modes_to = ends.reduce(f64::max);
         if let Some(to) = modes_to.filter(|&to| are_too_many(&bare, to)) {
             let message = format!(
@@ -281,16 +282,28 @@ fn bare(model: &Checked, tune: &Tune) -> (Checked, Vec<usize>) {
             enabled: true,
             quantity: Quantity::Energy,
             point: Point::AXIS,
+            over: None,
         });
     }
+    let divides = |one: &&Response| {
+        let is_used = responses
+            .iter()
+            .any(|of| of.over.as_ref() == Some(&one.name));
+        is_used && !names.contains(&&*one.name)
+    };
+    let divisors: Vec<Response> = model.responses.iter().filter(divides).cloned().collect();
     for response in &mut responses {
         response.enabled = true;
     }
+    let energy = responses.len() - 1;
+    responses.extend(divisors.into_iter().map(|of| Response {
+        enabled: false,
+        ..of
+    }));
     let bare = model.derived(|model| {
         (model.title, model.notes) = Default::default();
         (model.responses, model.studies, model.tune) = (responses, Vec::new(), None);
     });
-    let energy = bare.responses.len() - 1;
     let place = |objective: &Objective| match &objective.response {
         Some(name) => place_of(&bare, name),
         None => energy,
@@ -323,8 +336,8 @@ fn restless(model: &Checked, tune: &Tune) -> Vec<Fault> {
         };
         let place = format!("tune.limits.{}", index + 1);
         let of = model.responses.iter().find(|one| one.name == *response);
-        if !of.is_some_and(|one| objectives::is_displacement(&one.quantity)) {
-            let message = format!("{response:?} is not a displacement; must be one");
+        if !of.is_some_and(|one| one.quantity.is_static()) {
+            let message = format!("{response:?} is not a displacement or a force; must be one");
             faults.push(Fault::new(&place, message));
         }
         if count(model, SLOWEST) > 0 {

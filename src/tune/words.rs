@@ -28,8 +28,8 @@ pub fn band(objective: &Objective) -> String {
 /// A level of a response in its unit: `1e-7 m`. Without a unit if there is no such motion.
 pub fn level(model: &Model, response: &str, value: f64) -> String {
     let found = model.responses.iter().find(|one| one.name == response);
-    let dimension = found.and_then(|one| one.quantity.kind(None).motion());
-    let unit = dimension.map_or_else(String::new, |one| Kind::Motion(one).unit());
+    let dimension = found.and_then(|one| one.kind(model, None).dimension());
+    let unit = dimension.map_or_else(String::new, |one| Kind::Amplitude(one).unit());
     let number = Unit::ONE.format(value);
     format!("{number} {unit}").trim_end().to_owned()
 }
@@ -104,9 +104,10 @@ pub fn of_limit(model: &Model, limit: &Limit, wording: fn(&Wording) -> &'static 
     let response = limit.response();
     in_words(model, LIMITS, limit, response, wording, || match limit {
         Limit::NoMode { from, to } => range(*from, *to, Unit::HERTZ),
-        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } | Limit::Buckling { .. } => {
-            String::new()
-        }
+        Limit::AddedMass { .. }
+        | Limit::Peak { .. }
+        | Limit::StaticDeflection { .. }
+        | Limit::Buckling { .. } => String::new(),
     })
 }
 

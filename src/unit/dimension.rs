@@ -1,10 +1,10 @@
 //! The dimension of the values of a response, the six forms of a frequency response, and their SI units.
 //!
-//! A response to one force is a ratio: receptance, mobility and accelerance are displacement, velocity and acceleration
+//! A motion under one force is a ratio: receptance, mobility and accelerance are displacement, velocity and acceleration
 //! over force; dynamic stiffness, impedance and apparent mass are their inverses (Ewins, Modal Testing, 2nd ed. 2000,
 //! section 2.1.2). An inverse here is that of one entry, not an entry of the inverse matrix. Under several forces that
 //! act simultaneously there is no such ratio: then the first three are the motion itself, and the inverses are not
-//! defined.
+//! defined. A force, and a response over another one, have no such forms: they stay as they are.
 
 use num_complex::Complex64;
 
@@ -47,22 +47,29 @@ pub enum Load {
     Bimoment,
 }
 
-/// The kind of the values of a motion's curve.
+/// What a complex amplitude is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Amount {
+    /// A motion.
+    Motion(Moves, Measure),
+    /// A force inside the model, by the load that it balances.
+    Load(Load),
+}
+
+/// The kind of the values of a complex curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Dimension {
-    /// The kind of motion.
-    pub moves: Moves,
-    /// The measure of the motion.
-    pub measure: Measure,
-    /// The load that divides it; none for the motion itself, zero to peak.
-    pub per: Option<Load>,
+    /// What it is of.
+    pub of: Amount,
+    /// What divides it: the only load, or another response; none for the amplitude itself, zero to peak.
+    pub per: Option<Amount>,
 }
 
 /// The dimension of the values of a response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A motion, or a motion over a load.
-    Motion(Dimension),
+    /// A complex amplitude, or a ratio of two.
+    Amplitude(Dimension),
     /// A vibration energy, kg m2, real.
     Energy,
 }
@@ -162,45 +169,103 @@ impl Load {
 }
 
 impl Kind {
-    /// Its SI unit: `m/(N s2)`, `rad`, `kg m2`.
+    /// Its SI unit: `m/(N s2)`, `rad`, `N/N`, `kg m2`.
     pub fn unit(self) -> String {
         match self {
-            Self::Motion(dimension) => dimension.unit(dimension.form_of_measure()),
+            Self::Amplitude(dimension) => dimension.unit(dimension.own_form()),
             Self::Energy => Unit::INERTIA.symbol.to_owned(),
         }
     }
 
-    /// The dimension of a motion.
-    pub const fn motion(self) -> Option<Dimension> {
+    /// The dimension of a complex amplitude.
+    pub const fn dimension(self) -> Option<Dimension> {
         match self {
-            Self::Motion(dimension) => Some(dimension),
+            Self::Amplitude(dimension) => Some(dimension),
             Self::Energy => None,
         }
     }
 }
 
 impl Dimension {
-    /// The form of its measure, not an inverse one; for a motion that is not divided by a force, the one with the same
-    /// measure.
-    pub const fn form_of_measure(&self) -> Form {
-        match self.measure {
-            Measure::Displacement => Form::Receptance,
-            Measure::Velocity => Form::Mobility,
-            Measure::Acceleration => Form::Accelerance,
+    /// That of a motion, alone or over a load.
+    pub const fn of_motion(moves: Moves, measure: Measure, per: Option<Load>) -> Self {
+        Self {
+            of: Amount::Motion(moves, measure),
+            per: match per {
+                Some(load) => Some(Amount::Load(load)),
+                None => None,
+            },
         }
     }
 
-    /// Whether it can be converted to a form: an inverse needs a force.
-    pub fn has(&self, form: Form) -> bool {
-        !form.is_inverse() || self.per.is_some()
+    /// The measure of a motion that is alone or over a load: of what has the six forms.
+    const fn measure(self) -> Option<Measure> {
+        match (self.of, self.per) {
+            (Amount::Motion(_, measure), None | Some(Amount::Load(_))) => Some(measure),
+            (Amount::Motion(..) | Amount::Load(_), _) => None,
+        }
+    }
+
+    /// The form of its measure, not an inverse one; for a motion that is not divided by a force, the one with the same
+    /// measure. What has no forms stays as it is in this one.
+    pub const fn own_form(self) -> Form {
+        match self.measure() {
+            Some(Measure::Displacement) | None => Form::Receptance,
+            Some(Measure::Velocity) => Form::Mobility,
+            Some(Measure::Acceleration) => Form::Accelerance,
+        }
+    }
+
+    /// Whether it can be converted to a form: only a motion, and to an inverse one only over a load.
+    pub const fn has(self, form: Form) -> bool {
+        self.measure().is_some() && (!form.is_inverse() || self.per.is_some())
+    }
+
+    /// The name of one of its forms; none for a motion under the loads, and for what has no forms.
+    pub const fn name(self, form: Form) -> Option<&'static str> {
+        match self.per {
+            Some(_) if self.has(form) => Some(form.name()),
+            Some(_) | None => None,
+        }
+    }
+
+    /// What it is: `receptance`, `velocity`, `force`, `ratio`.
+    pub const fn words(self) -> &'static str {
+        match (self.of, self.per, self.name(self.own_form())) {
+            (_, _, Some(form)) => form,
+            (_, Some(_), None) => "ratio",
+            (Amount::Motion(_, measure), None, None) => measure.key(),
+            (Amount::Load(_), None, None) => "force",
+        }
+    }
+
+    /// Whether both are the same but for the measure of the motion, and one can be converted to the other.
+    pub fn is_alike(self, other: Self) -> bool {
+        let plain = |of: Self| match of.of {
+            Amount::Motion(moves, _) if of.measure().is_some() => Self {
+                of: Amount::Motion(moves, Measure::Displacement),
+                ..of
+            },
+            Amount::Motion(..) | Amount::Load(_) => of,
+        };
+        plain(self) == plain(other)
+    }
+
+    /// Whether both are of one motion or force, whatever divides them.
+    pub fn of_same_motion(self, other: Self) -> bool {
+        let undivided = |of: Self| Self { per: None, ..of };
+        undivided(self).is_alike(undivided(other))
     }
 
     /// Converts a value at a frequency (Hz) to a form; the inverse of 0 is not finite.
     ///
     /// Displacement, velocity and acceleration differ by i omega.
-    pub fn converted(&self, value: Complex64, frequency: f64, form: Form) -> Complex64 {
+    pub fn converted(self, value: Complex64, frequency: f64, form: Form) -> Complex64 {
+        let Some(measure) = self.measure() else {
+            return value;
+        };
         let omega = std::f64::consts::TAU * frequency;
-        let steps = form.measure().order() - self.measure.order();
+        let steps = form.measure().order() - measure.order();
         let motion = value * Complex64::new(0.0, omega).powi(steps);
         if form.is_inverse() {
             motion.finv()
@@ -210,34 +275,63 @@ impl Dimension {
     }
 
     /// The unit of its values in a form, SI.
-    pub fn unit(&self, form: Form) -> String {
-        let moved = match self.moves {
-            Moves::Length => Unit::METRE.symbol,
-            Moves::Angle => "rad",
-            Moves::TwistRate => "rad/m",
+    pub fn unit(self, form: Form) -> String {
+        let accelerance = Self::of_motion(Moves::Length, form.measure(), Some(Load::Force));
+        let (of, per) = (
+            self.of.words(),
+            self.per.map(Amount::words).unwrap_or_default(),
+        );
+        let (order, is_inverse) = match self.measure() {
+            Some(_) => (form.measure().order(), form.is_inverse()),
+            None => (self.of.order() - self.per.map_or(0, Amount::order), false),
         };
-        let second = ["", "s", "s2"][form.measure().order().unsigned_abs() as usize];
-        let load = self.per.map_or("", |load| load.unit().symbol);
-        match (form, self.moves, self.per) {
-            (Form::ApparentMass, Moves::Length, Some(Load::Force)) => {
-                Unit::KILOGRAM.symbol.to_owned()
+        if form == Form::ApparentMass && self.is_alike(accelerance) {
+            return Unit::KILOGRAM.symbol.to_owned();
+        }
+        let second = |order: i32| ["", "s", "s2"][order.clamp(0, 2).unsigned_abs() as usize];
+        let (later, sooner) = (second(order), second(-order));
+        if is_inverse {
+            return over(&[per.0, of.1, later], &[of.0]);
+        }
+        match (self.of, self.per) {
+            (Amount::Motion(..), Some(Amount::Motion(..))) if of == per => {
+                over(&["1", sooner], &[later])
             }
-            (form, Moves::TwistRate, _) if form.is_inverse() => {
-                over(&format!("{load} m {second}"), "rad")
-            }
-            (form, ..) if form.is_inverse() => over(&format!("{load} {second}"), moved),
-            (_, Moves::TwistRate, _) => over("rad", &format!("m {load} {second}")),
-            _ => over(moved, &format!("{load} {second}")),
+            _ => over(&[of.0, per.1, sooner], &[of.1, per.0, later]),
         }
     }
 }
 
-/// One unit over another: "m/(N s)".
-fn over(above: &str, below: &str) -> String {
-    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+impl Amount {
+    /// The order of its time derivative.
+    const fn order(self) -> i32 {
+        match self {
+            Self::Motion(_, measure) => measure.order(),
+            Self::Load(_) => 0,
+        }
+    }
+
+    /// Its unit without seconds: numerator and denominator.
+    const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Motion(Moves::Length, _) => (Unit::METRE.symbol, ""),
+            Self::Motion(Moves::Angle, _) => ("rad", ""),
+            Self::Motion(Moves::TwistRate, _) => ("rad", "m"),
+            Self::Load(load) => (load.unit().symbol, ""),
+        }
+    }
+}
+
+/// A product of units over another: "m/(N s)".
+fn over(above: &[&str], below: &[&str]) -> String {
+    let words = |parts: &[&str]| {
+        let words = parts.iter().flat_map(|part| part.split_whitespace());
+        words.collect::<Vec<_>>().join(" ")
+    };
     let (above, below) = (words(above), words(below));
+    let above = above.strip_prefix("1 ").unwrap_or(&above);
     match below.as_str() {
-        "" => above,
+        "" => above.to_owned(),
         one if !one.contains(' ') => format!("{above}/{one}"),
         more => format!("{above}/({more})"),
     }
@@ -248,11 +342,7 @@ mod tests {
     use super::*;
 
     fn dimension(moves: Moves, per: Option<Load>) -> Dimension {
-        Dimension {
-            moves,
-            measure: Measure::Displacement,
-            per,
-        }
+        Dimension::of_motion(moves, Measure::Displacement, per)
     }
 
     #[test]
@@ -288,6 +378,47 @@ mod tests {
         );
         assert_eq!(units(Moves::TwistRate, None)[2], "rad/(m s2)");
         assert_eq!(units(Moves::Length, None)[..3], ["m", "m/s", "m/s2"]);
+    }
+
+    #[test]
+    fn forces_and_ratios_have_the_unit_of_what_they_are() {
+        let unit = |of, per| Kind::Amplitude(Dimension { of, per }).unit();
+        let load = |load| Amount::Load(load);
+        let (force, moment) = (load(Load::Force), load(Load::Moment));
+        let motion = |moves, measure| Amount::Motion(moves, measure);
+        let stretch = motion(Moves::Length, Measure::Displacement);
+        let velocity = motion(Moves::Length, Measure::Velocity);
+        let acceleration = motion(Moves::Length, Measure::Acceleration);
+        assert_eq!(unit(force, None), "N");
+        assert_eq!(unit(force, Some(force)), "N/N");
+        assert_eq!(unit(moment, Some(force)), "N m/N");
+        assert_eq!(unit(force, Some(stretch)), "N/m");
+        assert_eq!(unit(force, Some(acceleration)), "N s2/m");
+        assert_eq!(unit(stretch, Some(stretch)), "1");
+        assert_eq!(unit(velocity, Some(velocity)), "1");
+        assert_eq!(unit(velocity, Some(stretch)), "1/s");
+        assert_eq!(unit(stretch, Some(acceleration)), "s2");
+        assert_eq!(
+            unit(motion(Moves::Angle, Measure::Displacement), Some(stretch)),
+            "rad/m"
+        );
+        let twist = motion(Moves::TwistRate, Measure::Displacement);
+        assert_eq!(unit(stretch, Some(twist)), "m m/rad");
+        assert_eq!(unit(load(Load::Bimoment), Some(moment)), "N m2/(N m)");
+    }
+
+    #[test]
+    fn what_is_no_motion_over_a_load_stays_as_it_is() {
+        let value = Complex64::new(1.0, 2.0);
+        let force = Dimension {
+            of: Amount::Load(Load::Force),
+            per: Some(Amount::Load(Load::Force)),
+        };
+        for form in Form::ALL {
+            assert!(!force.has(form));
+            assert_eq!(force.converted(value, 3.0, form), value);
+            assert_eq!(force.unit(form), "N/N");
+        }
     }
 
     #[test]

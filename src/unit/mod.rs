@@ -10,7 +10,7 @@ mod parameter;
 mod response;
 pub mod value_input;
 
-pub use dimension::{Dimension, Form, Kind, Load, Measure, Moves};
+pub use dimension::{Amount, Dimension, Form, Kind, Load, Measure, Moves};
 pub use frequency::{FrequencyUnit, PhaseUnit};
 pub use parameter::{Unit, counted, grouped};
 pub use response::ValueUnit;

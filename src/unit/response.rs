@@ -8,7 +8,7 @@ use std::fmt;
 use num_complex::Complex64;
 use product::{is_twist, plain, product};
 
-use super::{Dimension, Form, Kind, Load, Moves};
+use super::{Amount, Dimension, Form, Kind, Load, Moves};
 
 /// The unit of values in a file, and the dimension that it implies.
 ///
@@ -117,7 +117,7 @@ pub(crate) fn load(text: &str) -> Option<(Load, f64)> {
     let (scale, powers) = product(text)?;
     let load = Load::ALL
         .into_iter()
-        .find(|load| powers_of_load(Some(*load)) == powers)?;
+        .find(|load| powers_of_amount(Amount::Load(*load)) == powers)?;
     Some((load, scale))
 }
 
@@ -141,14 +141,15 @@ fn kind_of(text: &str, powers: Powers) -> Option<(Kind, bool)> {
         .find(|(dimension, form)| dimension.unit(*form) == text);
     let alike = |(dimension, form): &&(Dimension, Form)| {
         // A moment over a length is a force, but is never used for one.
-        let shrinks = dimension.moves == Moves::Length && dimension.per != Some(Load::Force);
-        (dimension.moves == Moves::TwistRate) == is_twist(text) && !(form.is_inverse() && shrinks)
+        let moves = |own: Moves| matches!(dimension.of, Amount::Motion(moves, _) if moves == own);
+        let shrinks = moves(Moves::Length) && dimension.per != Some(Amount::Load(Load::Force));
+        moves(Moves::TwistRate) == is_twist(text) && !(form.is_inverse() && shrinks)
     };
     if exact.is_none() && powers == [2, 1, 0, 0] {
         return Some((Kind::Energy, false));
     }
     let (dimension, form) = exact.or_else(|| found.iter().find(alike))?;
-    Some((Kind::Motion(*dimension), form.is_inverse()))
+    Some((Kind::Amplitude(*dimension), form.is_inverse()))
 }
 
 /// Every motion over every load, and every load over every motion, the usual first.
@@ -157,15 +158,7 @@ fn candidates() -> impl Iterator<Item = (Dimension, Form)> {
     let loads = [None].into_iter().chain(Load::ALL.map(Some));
     moves.into_iter().flat_map(move |moves| {
         loads.clone().flat_map(move |per| {
-            let of = move |form: Form| {
-                let measure = form.measure();
-                let dimension = Dimension {
-                    moves,
-                    measure,
-                    per,
-                };
-                (dimension, form)
-            };
+            let of = move |form: Form| (Dimension::of_motion(moves, form.measure(), per), form);
             let all = Form::ALL.into_iter().map(of);
             all.filter(|(dimension, form)| dimension.has(*form))
         })
@@ -173,13 +166,11 @@ fn candidates() -> impl Iterator<Item = (Dimension, Form)> {
 }
 
 fn powers_of(dimension: Dimension, form: Form) -> Powers {
-    let mut powers = match dimension.moves {
-        Moves::Length => [1, 0, 0, 0],
-        Moves::Angle => [0, 0, 0, 1],
-        Moves::TwistRate => [-1, 0, 0, 1],
-    };
-    powers[2] -= form.measure().order();
-    for (sum, part) in powers.iter_mut().zip(powers_of_load(dimension.per)) {
+    let mut powers = powers_of_amount(dimension.of);
+    for (sum, part) in powers
+        .iter_mut()
+        .zip(dimension.per.map_or([0; 4], powers_of_amount))
+    {
         *sum -= part;
     }
     if form.is_inverse() {
@@ -188,12 +179,20 @@ fn powers_of(dimension: Dimension, form: Form) -> Powers {
     powers
 }
 
-fn powers_of_load(load: Option<Load>) -> Powers {
-    match load {
-        None => [0; 4],
-        Some(Load::Force) => FORCE,
-        Some(Load::Moment) => [2, 1, -2, 0],
-        Some(Load::Bimoment) => [3, 1, -2, 0],
+fn powers_of_amount(amount: Amount) -> Powers {
+    match amount {
+        Amount::Motion(moves, measure) => {
+            let mut powers = match moves {
+                Moves::Length => [1, 0, 0, 0],
+                Moves::Angle => [0, 0, 0, 1],
+                Moves::TwistRate => [-1, 0, 0, 1],
+            };
+            powers[2] -= measure.order();
+            powers
+        }
+        Amount::Load(Load::Force) => FORCE,
+        Amount::Load(Load::Moment) => [2, 1, -2, 0],
+        Amount::Load(Load::Bimoment) => [3, 1, -2, 0],
     }
 }
 
@@ -203,11 +202,7 @@ mod tests {
     use crate::unit::Measure;
 
     fn motion(moves: Moves, measure: Measure, per: Option<Load>) -> Kind {
-        Kind::Motion(Dimension {
-            moves,
-            measure,
-            per,
-        })
+        Kind::Amplitude(Dimension::of_motion(moves, measure, per))
     }
 
     /// Expected: the SI brochure (9th ed. 2019) for prefixes and g, NIST SP 811 for the rest.
@@ -446,10 +441,11 @@ mod tests {
             let unit = dimension.unit(form);
             let read = ValueUnit::parse(&unit).unwrap();
             // These are rotations over moments by the same text.
-            if dimension.moves == Moves::TwistRate && form.is_inverse() {
+            let is_rate = matches!(dimension.of, Amount::Motion(Moves::TwistRate, _));
+            if is_rate && form.is_inverse() {
                 continue;
             }
-            assert_eq!(read.kind(), Kind::Motion(dimension), "{unit}");
+            assert_eq!(read.kind(), Kind::Amplitude(dimension), "{unit}");
             assert_eq!(read.ratio(), (1.0, form.is_inverse()), "{unit}");
         }
     }

@@ -296,6 +296,7 @@ fn residues(case: &Case, found: &Modes, shapes: &[Shape], group: &[usize]) -> f6
             enabled: true,
             quantity: Quantity::Motion(target.clone(), Measure::Displacement),
             point: beamtune::model::Point::AXIS,
+            over: None,
         };
         model.responses = targets.iter().enumerate().map(response).collect();
         let differentiator = Differentiator::new(&checked(&model));

@@ -360,6 +360,7 @@ pub fn respond_at_points(
             enabled: true,
             quantity: Quantity::Motion(target.clone(), Measure::Displacement),
             point: *point,
+            over: None,
         });
     let model = Model {
         forces,

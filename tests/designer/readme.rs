@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 
 use beamtune::guide;
 use beamtune::measured::{Hint, read};
-use beamtune::model::{self, BeamMotion, MassMotion, Measure, Quantity, Spacing, Support, schema};
+use beamtune::model::{self, BeamMotion, MassMotion, Quantity, Spacing, Support, schema};
 use beamtune::tui::app::{OpenedMeasured, Reply};
 use beamtune::tui::keys::{KeyMap, Scope};
 use beamtune::tui::user::config;
@@ -111,7 +111,7 @@ fn the_examples_of_a_model_file_are_possible_models() {
 }
 
 /// The values that a key of the model file accepts, as text.
-fn accepted(key: &schema::Key) -> String {
+fn accepted(table: &str, key: &schema::Key) -> String {
     let number = |kind: &str| match key.unit.symbol {
         "" => kind.to_owned(),
         unit => format!("{kind}, {unit}"),
@@ -121,9 +121,13 @@ fn accepted(key: &schema::Key) -> String {
         schema::Kind::Count => "a whole number".to_owned(),
         schema::Kind::Flag => "true, false".to_owned(),
         schema::Kind::Word => key.words.join(", "),
+        schema::Kind::Place | schema::Kind::Direction if table == "responses" => {
+            "as its measure permits, see above".to_owned()
+        }
         schema::Kind::Place => "left, right, a number of m, the name of a subsystem".to_owned(),
         schema::Kind::Direction => [BeamMotion::WORDS, MassMotion::WORDS].concat().join(", "),
-        schema::Kind::Measure => [Measure::WORDS, &[Quantity::ENERGY]].concat().join(", "),
+        schema::Kind::Measure => Quantity::words().join(", "),
+        schema::Kind::Over => "the name of another response that is not itself over one".to_owned(),
         schema::Kind::Support => Support::WORDS.join(", "),
         schema::Kind::Restraint => "free, fixed, a table as below".to_owned(),
         schema::Kind::Link => "rigid, free, a table as below".to_owned(),
@@ -147,7 +151,7 @@ fn key_rows(table: &mut String, name: &str, keys: &[schema::Key]) {
             symbol => format!(" ({symbol})"),
         };
         let (own, meaning) = (key.key, key.meaning);
-        let accepted = accepted(key) + &default.unwrap_or_default();
+        let accepted = accepted(name, key) + &default.unwrap_or_default();
         let _ = writeln!(
             table,
             "| `{name}{dot}{own}` | {meaning}{symbol} | {accepted} |"

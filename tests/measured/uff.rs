@@ -17,6 +17,10 @@ fn even() -> Vec<f64> {
     (0..7).map(|index| 1.0 + 0.5 * f64::from(index)).collect()
 }
 
+fn ratio(of: Amount, per: Option<Amount>) -> Kind {
+    Kind::Amplitude(Dimension { of, per })
+}
+
 fn receptance() -> Kind {
     motion(Moves::Length, Measure::Displacement, Some(Load::Force))
 }
@@ -442,7 +446,6 @@ fn a_file_without_frequency_responses_says_what_it_has() {
             "over something other than frequency",
         ),
         ("    4   ", "    6   ", "of type 6 (coherence)"),
-        ("        13", "        12", "of a motion over a motion"),
         ("         8", "        15", "of data type 15"),
         (data.as_str(), nan.as_str(), "without a finite value"),
     ] {
@@ -476,6 +479,12 @@ fn what_is_written_is_read() {
         motion(Moves::TwistRate, Velocity, Some(Load::Force)),
         motion(Moves::TwistRate, Displacement, Some(Load::Bimoment)),
         motion(Moves::Length, Velocity, None),
+        ratio(Amount::Load(Load::Force), None),
+        ratio(Amount::Load(Load::Moment), Some(Amount::Load(Load::Force))),
+        ratio(
+            Amount::Motion(Moves::Length, Acceleration),
+            Some(Amount::Motion(Moves::Length, Acceleration)),
+        ),
         Kind::Energy,
     ];
     for frequencies in [even(), UNEVEN.to_vec()] {
@@ -487,17 +496,17 @@ fn what_is_written_is_read() {
                 }
             }
             let (response, reference) = match kind {
-                Kind::Motion(dimension) => (
-                    Some(node(match dimension.moves {
-                        Moves::Length => 2,
-                        Moves::Angle => 4,
-                        Moves::TwistRate => 0,
+                Kind::Amplitude(dimension) => (
+                    Some(node(match dimension.of {
+                        Amount::Motion(Moves::Length, _) | Amount::Load(Load::Force) => 2,
+                        Amount::Motion(Moves::Angle, _) | Amount::Load(Load::Moment) => 4,
+                        Amount::Motion(Moves::TwistRate, _) | Amount::Load(Load::Bimoment) => 0,
                     })),
-                    dimension.per.map(|load| {
-                        node(match load {
-                            Load::Force => 3,
-                            Load::Moment => 6,
-                            Load::Bimoment => 0,
+                    dimension.per.map(|amount| {
+                        node(match amount {
+                            Amount::Motion(Moves::Length, _) | Amount::Load(Load::Force) => 3,
+                            Amount::Motion(Moves::Angle, _) | Amount::Load(Load::Moment) => 6,
+                            Amount::Motion(Moves::TwistRate, _) | Amount::Load(Load::Bimoment) => 0,
                         })
                     }),
                 ),

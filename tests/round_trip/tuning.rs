@@ -6,12 +6,12 @@ use proptest::prelude::*;
 
 use super::{edit_in, model, not_negative, positive, reads_as, with_comments};
 
-/// Names of enabled responses: all, those that are motions, those that are displacements.
+/// Names of enabled responses: all, those that have a phase, those that are not 0 at rest.
 fn response_names(responses: &[Response]) -> [Vec<String>; 3] {
-    let fits = |quantity: &Quantity, least: usize| match quantity {
-        Quantity::Energy => least == 0,
-        Quantity::Motion(_, Measure::Displacement) => true,
-        Quantity::Motion(..) => least <= 1,
+    let fits = |quantity: &Quantity, least: usize| match least {
+        0 => true,
+        1 => !quantity.is_quadratic(),
+        _ => quantity.is_static(),
     };
     [0, 1, 2].map(|least| {
         let found = responses

@@ -34,6 +34,7 @@ fn grounded() -> Model {
         enabled: true,
         quantity: Quantity::Motion(target(motion), Measure::Displacement),
         point: beamtune::model::Point::AXIS,
+        over: None,
     };
     model.responses = MassMotion::ALL.map(response).into();
     model

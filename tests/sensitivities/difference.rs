@@ -3,7 +3,7 @@
 use crate::checked::checked;
 use beamtune::model::edit::{self, Value};
 use beamtune::model::path;
-use beamtune::model::{Checked, Model, Place, Quantity, Target};
+use beamtune::model::{At, Checked, Model, Place};
 use beamtune::solve::sensitivity::Differentiator;
 use num_complex::Complex64;
 
@@ -72,13 +72,9 @@ pub fn with(model: &Model, path: &str, value: f64) -> Model {
 /// is only more beam.
 fn side(model: &Model, path: &str, value: f64) -> f64 {
     let length = model.length();
-    let is_at_end =
-        |target: &Target| matches!(target, Target::Beam(Place::Position(x), _) if *x == length);
-    let forces = model.forces.iter().map(|force| &force.target);
-    let responses = model.responses.iter().filter_map(|of| match &of.quantity {
-        Quantity::Motion(target, _) => Some(target),
-        Quantity::Energy => None,
-    });
+    let is_at_end = |at: At<'_>| matches!(at, At::Beam(Place::Position(x)) if x == length);
+    let forces = model.forces.iter().map(|force| force.target.at());
+    let responses = model.responses.iter().filter_map(|of| of.quantity.at());
     let held =
         forces.chain(responses).any(is_at_end) || model.attached().any(|of| of.position == length);
     match path {

@@ -10,6 +10,8 @@ mod closed;
 mod common;
 mod difference;
 mod extrema;
+#[path = "../common/quantities.rs"]
+mod quantities;
 mod scaling;
 
 use checked::checked;
@@ -233,6 +235,64 @@ fn every_parameter_of_spans() {
     }
 }
 
+/// Expected: as for the presets. Reactions, internal forces, springs and ratios, also at the ends and where something stands.
+#[test]
+fn every_parameter_of_forces_and_ratios() {
+    for (warping, is_supported) in [(true, false), (true, true), (false, true)] {
+        let model = if is_supported {
+            supported(warping)
+        } else {
+            rich(warping)
+        };
+        let model = with_forces(model);
+        for (frequency, allowed) in [ALLOWED[1], ALLOWED[3]] {
+            let (error, at) = worst_at(&model, frequency);
+            assert!(
+                error < allowed,
+                "{warping} {is_supported} {frequency} Hz: {error:.1e} at {at}"
+            );
+        }
+    }
+}
+
+/// The same model with other responses: reactions, internal forces, springs and ratios.
+fn with_forces(mut model: Model) -> Model {
+    let motion = model.responses[0].clone();
+    let mut places = vec![Place::Position(0.61), Place::Position(2.03)];
+    // An internal force jumps where a subsystem stands, and has no derivative by its position.
+    let ends = [(Place::Left, 0.0), (Place::Right, model.length())];
+    let is_bare = |x: f64| model.attached().all(|of| of.position != x);
+    let bare = ends.into_iter().filter(|(_, x)| is_bare(*x));
+    places.extend(bare.map(|(end, _)| end));
+    let mut all = quantities::reactions(&model);
+    all.extend(quantities::internal_forces(&places));
+    all.extend(quantities::springs(&model));
+    model.responses = all.into_iter().map(quantities::response).collect();
+    // What a free end leaves 0 is only rounding.
+    let sizes = [37.0, 333.3].map(|frequency| responses(&model, frequency));
+    let mut index = 0;
+    model.responses.retain(|_| {
+        index += 1;
+        sizes.iter().all(|values| values[index - 1].norm() > 1e-12)
+    });
+    // A force over a force and over a stretch, a motion over a force.
+    let last = model.responses.len() - 1;
+    let of = [
+        model.responses[last / 2].clone(),
+        model.responses[0].clone(),
+        motion,
+    ];
+    for (index, (of, over)) in of.into_iter().zip([1, last, 2]).enumerate() {
+        model.responses.push(Response {
+            name: format!("ratio {index}"),
+            over: Some(model.responses[over].name.clone()),
+            ..of
+        });
+    }
+    assert_eq!(beamtune::model::check(&model), []);
+    model
+}
+
 /// Whether something stands so near a joint that the steps of the differences move one across the other.
 fn is_near_a_joint(model: &Model, targets: &[&Target]) -> bool {
     const NEAR: f64 = 0.01;
@@ -280,6 +340,7 @@ fn every_parameter_of_random_models() {
             enabled: true,
             quantity,
             point: beamtune::model::Point::AXIS,
+            over: None,
         };
         model.responses = vec![
             named("motion", Quantity::Motion(response, Measure::Velocity)),

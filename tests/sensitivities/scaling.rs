@@ -3,10 +3,12 @@
 //! response.
 
 use crate::checked::checked;
-use beamtune::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
+use beamtune::model::{
+    At, BeamMotion, Measure, Model, Place, Quantity, Reaction, SpringMeasure, Target,
+};
 use beamtune::solve::sensitivity::Differentiator;
 
-use super::{preset, rich, supported, thousand};
+use super::{preset, rich, supported, thousand, with_forces};
 
 /// The exponents of a factor for a response and for the frequency.
 struct Law {
@@ -23,7 +25,7 @@ fn key(path: &str) -> &str {
 }
 
 /// All stiffnesses, dampings and inertias times alpha: a motion is proportional to 1 / alpha; so is the energy, by
-/// alpha / alpha^2.
+/// alpha / alpha^2. No force changes.
 const STIFFER: Law = Law {
     of: |path| match key(path) {
         "young_modulus" | "shear_modulus" | "density" | "stiffness" | "damping" | "mass"
@@ -31,7 +33,12 @@ const STIFFER: Law = Law {
         _ => 0.0,
     },
     frequency: 0.0,
-    response: |_| -1.0,
+    response: |quantity| match quantity {
+        Quantity::Motion(..)
+        | Quantity::Energy
+        | Quantity::Spring(_, _, SpringMeasure::Stretch) => -1.0,
+        Quantity::Reaction(_) | Quantity::InternalForce(..) | Quantity::Spring(..) => 0.0,
+    },
 };
 
 /// All loads times alpha.
@@ -40,7 +47,7 @@ const LOUDER: Law = Law {
     frequency: 0.0,
     response: |quantity| match quantity {
         Quantity::Energy => 2.0,
-        Quantity::Motion(..) => 1.0,
+        _ => 1.0,
     },
 };
 
@@ -59,6 +66,8 @@ const FASTER: Law = Law {
             Measure::Velocity => -1.0,
             Measure::Acceleration => 0.0,
         },
+        Quantity::Spring(_, _, SpringMeasure::Stretch) => -2.0,
+        Quantity::Reaction(_) | Quantity::InternalForce(..) | Quantity::Spring(..) => 0.0,
     },
 };
 
@@ -98,6 +107,10 @@ const LONGER: Law = Law {
         Quantity::Motion(Target::Mass(_, motion), _) => {
             f64::from(!matches!(motion, beamtune::model::MassMotion::Theta))
         }
+        Quantity::Reaction(Reaction::Support(_, motion)) | Quantity::InternalForce(_, motion) => {
+            load_power(&Target::Beam(Place::Left, *motion))
+        }
+        Quantity::Reaction(Reaction::Ground(_)) | Quantity::Spring(..) => 1.0,
     },
 };
 
@@ -146,10 +159,36 @@ fn deviation(model: &Model, law: &Law, loads: fn(&Target) -> f64, frequency: f64
 fn without_places(mut model: Model) -> Model {
     let is_place = |target: &Target| matches!(target, Target::Beam(Place::Position(_), _));
     model.forces.retain(|force| !is_place(&force.target));
-    let lies =
-        |quantity: &Quantity| matches!(quantity, Quantity::Motion(target, _) if is_place(target));
+    let lies = |of: &Quantity| matches!(of.at(), Some(At::Beam(Place::Position(_))));
     model.responses.retain(|response| !lies(&response.quantity));
     model
+}
+
+/// Expected: rounding errors. Forces depend little on a stiff spring, and are small where they are differences.
+#[test]
+fn every_scaling_law_holds_for_forces() {
+    for mut model in [
+        with_forces(rich(true)),
+        with_forces(rich(false)),
+        with_forces(supported(true)),
+    ] {
+        model.responses.retain(|response| response.over.is_none());
+        let lengths = without_places(model.clone());
+        for frequency in [37.0, 100.0, 333.3] {
+            let none = |_: &Target| 0.0;
+            let found = [
+                deviation(&model, &STIFFER, none, frequency),
+                deviation(&model, &LOUDER, none, frequency),
+                deviation(&model, &FASTER, none, frequency),
+                deviation(&lengths, &LONGER, load_power, frequency),
+            ];
+            assert!(
+                found.iter().all(|found| *found < 1e-9),
+                "{} {frequency} Hz: {found:?}",
+                model.title
+            );
+        }
+    }
 }
 
 /// Expected: only rounding errors, which at 1 Hz are those of a beam with waves far longer than itself.

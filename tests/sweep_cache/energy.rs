@@ -17,6 +17,7 @@ pub fn with_energy(mut model: Model) -> Model {
         enabled: true,
         quantity: Quantity::Energy,
         point: beamtune::model::Point::AXIS,
+        over: None,
     });
     model
 }

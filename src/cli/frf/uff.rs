@@ -11,10 +11,10 @@ use super::{Curve, Member, Points, warn_of};
 use crate::cli::{Failure, csv, say};
 use crate::measured::{Node, Record, Written, write_uff};
 use crate::model::{
-    BeamMotion, Checked, MassMotion, Place, Point, Quantity, Response, Target, counted,
+    BeamMotion, Checked, MassMotion, Place, Point, Quantity, Reaction, Response, SpringName,
+    SupportId, Target, counted,
 };
 use crate::solve::{Frf, Reference};
-use crate::unit::Kind;
 
 /// A model's curve, solved.
 struct Solved<'a> {
@@ -60,14 +60,13 @@ pub(super) fn write(
     Ok(())
 }
 
-/// Divides motions by the single force; energies and responses to several forces do not change.
+/// Divides what is in proportion to the single force by it.
 fn divide(frf: &mut Frf, model: &Checked) {
     let Some(reference) = Reference::of(model) else {
         return;
     };
-    let quantities = enabled(model).map(|response| &response.quantity);
-    for (column, quantity) in frf.columns.iter_mut().zip(quantities) {
-        if matches!(quantity, Quantity::Motion(..)) {
+    for (column, response) in frf.columns.iter_mut().zip(enabled(model)) {
+        if response.is_linear() {
             column
                 .values
                 .iter_mut()
@@ -97,14 +96,18 @@ impl Solved<'_> {
             .zip(enabled(self.model));
         columns
             .map(|((column, name), response)| {
-                let kind = response.quantity.kind(reference.map(|one| one.load));
-                let force = force.filter(|_| kind != Kind::Energy);
+                let force = force.filter(|_| response.is_linear());
+                let force = force.map(|force| places.node((&force.target, force.point)));
+                let node = |of: &Response| {
+                    let (target, point) = read_at(self.model, of)?;
+                    Some(places.node((&target, point)))
+                };
                 Record {
                     name,
                     title: self.title(),
-                    kind,
-                    response: moved(response).map(|at| places.node(at)),
-                    reference: force.map(|force| places.node((&force.target, force.point))),
+                    kind: response.kind(self.model, reference.map(|one| one.load)),
+                    response: node(response),
+                    reference: response.divisor(self.model).and_then(node).or(force),
                     frequencies: &self.frf.frequencies,
                     values: &column.values as &[Complex64],
                 }
@@ -120,11 +123,29 @@ impl Solved<'_> {
     }
 }
 
-/// What a motion is of, and its point of the section; none for an energy.
-fn moved(response: &Response) -> Option<(&Target, Point)> {
+/// The motion along which a response is read, and its point of the section; none for what is of the whole beam.
+fn read_at(model: &Checked, response: &Response) -> Option<(Target, Point)> {
+    let on_axis = |target| Some((target, Point::AXIS));
     match &response.quantity {
-        Quantity::Motion(target, _) => Some((target, response.point)),
-        Quantity::Energy => None,
+        Quantity::Motion(target, _) => Some((target.clone(), response.point)),
+        Quantity::Reaction(Reaction::Support(holder, motion)) => {
+            let id = SupportId::all(model).find(|id| id.name(model) == holder.name())?;
+            let place = match id {
+                SupportId::Left => Place::Left,
+                SupportId::Right => Place::Right,
+                SupportId::Inner(_) => Place::Position(id.position(model)),
+            };
+            Some((Target::Beam(place, *motion), id.support(model).point))
+        }
+        Quantity::InternalForce(place, motion) => on_axis(Target::Beam(*place, *motion)),
+        Quantity::Spring(name, spring, _) => {
+            let motion = match spring {
+                SpringName::YLeft | SpringName::YRight => MassMotion::Y,
+                SpringName::ZLeft | SpringName::ZRight => MassMotion::Z,
+            };
+            on_axis(Target::Mass(name.clone(), motion))
+        }
+        Quantity::Reaction(Reaction::Ground(_)) | Quantity::Energy => None,
     }
 }
 
@@ -137,13 +158,11 @@ struct Places<'a> {
 
 impl<'a> Places<'a> {
     fn of(model: &'a Checked) -> Self {
-        let of_responses = enabled(model).filter_map(moved);
-        let of_forces = model
-            .forces
-            .iter()
-            .map(|force| (&force.target, force.point));
-        let on_beam = |(target, point): (&Target, Point)| match target {
-            Target::Beam(place, _) => Some(Self::place(model, *place, point)),
+        let of_responses = model.computed().filter_map(|of| read_at(model, of));
+        let of_forces = model.forces.iter();
+        let of_forces = of_forces.map(|force| (force.target.clone(), force.point));
+        let on_beam = |(target, point): (Target, Point)| match target {
+            Target::Beam(place, _) => Some(Self::place(model, place, point)),
             Target::Mass(..) => None,
         };
         let mut beam: Vec<[f64; 3]> = of_responses.chain(of_forces).filter_map(on_beam).collect();

@@ -255,6 +255,11 @@ fn limit(model: &Checked, kept: &LimitOutcome) -> Row {
             let wanted = format!("none in {}", range(*from, *to, Unit::HERTZ));
             ("natural frequency".to_owned(), near, wanted)
         }
+        Limit::Peak { response, at_most } => {
+            let what = format!("highest peak of {response}");
+            let wanted = format!("at most {}", level(model, response, *at_most));
+            (what, level(model, response, kept.value), wanted)
+        }
         Limit::StaticDeflection { response, at_most } => {
             let what = format!("{response} at rest");
             let wanted = format!("at most {}", level(model, response, *at_most));

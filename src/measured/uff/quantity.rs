@@ -4,7 +4,7 @@ use super::header::{AxisInfo, Dof, FunctionHeader};
 use super::lines::UffLines;
 use crate::measured::layout::Layout;
 use crate::measured::{Fault, Question, number};
-use crate::unit::{self, Dimension, FrequencyUnit, Kind, Load, Measure, Moves, ValueUnit};
+use crate::unit::{self, Amount, Dimension, FrequencyUnit, Kind, Load, Measure, Moves, ValueUnit};
 
 /// Data set 164: one metre and one newton in the units of the file; angles are in rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -158,31 +158,46 @@ impl FunctionQuantity {
 
 /// The unit of numerator over denominator; none if it is not given.
 fn ratio(numerator: &RatioSide, denominator: &RatioSide) -> Result<Option<ValueUnit>, String> {
-    let motion = |moves, measure, per| {
-        Kind::Motion(Dimension {
-            moves,
-            measure,
-            per,
-        })
+    let amount = |side: &RatioSide| match *side {
+        RatioSide::Motion(moves, measure, one) => Some((Amount::Motion(moves, measure), one)),
+        RatioSide::Load(load, one) => Some((Amount::Load(load), one)),
+        RatioSide::Whole(..) | RatioSide::NotGiven | RatioSide::Unknown(_) => None,
     };
-    Ok(match (numerator, denominator) {
-        (&RatioSide::Motion(moves, measure, one), &RatioSide::Load(load, load_one)) => {
-            let kind = motion(moves, measure, Some(load));
-            Some(ValueUnit::scaled(kind, one / load_one, false))
-        }
-        (&RatioSide::Motion(moves, measure, one), RatioSide::NotGiven) => {
-            Some(ValueUnit::scaled(motion(moves, measure, None), one, false))
-        }
-        (&RatioSide::Load(load, load_one), &RatioSide::Motion(moves, measure, one)) => {
-            let kind = motion(moves, measure, Some(load));
-            Some(ValueUnit::scaled(kind, load_one / one, true))
-        }
-        (RatioSide::Motion(..), _) => return Err("of a motion over a motion".to_owned()),
-        (RatioSide::Load(..), _) => {
-            return Err("of a load over something other than a motion".to_owned());
-        }
-        (RatioSide::Whole(..) | RatioSide::NotGiven | RatioSide::Unknown(_), _) => None,
-    })
+    Ok(
+        match (
+            numerator,
+            denominator,
+            amount(numerator),
+            amount(denominator),
+        ) {
+            // A load over a motion is the inverse of a motion over a load.
+            (&RatioSide::Load(load, load_one), &RatioSide::Motion(moves, measure, one), ..) => {
+                let dimension = Dimension::of_motion(moves, measure, Some(load));
+                Some(ValueUnit::scaled(
+                    Kind::Amplitude(dimension),
+                    load_one / one,
+                    true,
+                ))
+            }
+            (_, RatioSide::NotGiven, Some((of, one)), _) => {
+                let dimension = Dimension { of, per: None };
+                Some(ValueUnit::scaled(Kind::Amplitude(dimension), one, false))
+            }
+            (_, _, Some((of, one)), Some((per, per_one))) => {
+                let per = Some(per);
+                let dimension = Dimension { of, per };
+                Some(ValueUnit::scaled(
+                    Kind::Amplitude(dimension),
+                    one / per_one,
+                    false,
+                ))
+            }
+            (_, _, Some(_), None) => {
+                return Err("of a motion or force over something else".to_owned());
+            }
+            (_, _, None, _) => None,
+        },
+    )
 }
 
 /// The unit of the abscissa; none if its label is unknown.
@@ -251,15 +266,14 @@ fn side(axis: &AxisInfo, end: Dof, units: &FileUnits) -> Result<RatioSide, Strin
     let is_load = matches!(axis.kind, 9 | 13);
     Ok(match (words, load, measure) {
         (_, Some((load, one)), None) => RatioSide::Load(load, one),
-        (Some((Kind::Motion(motion), (scale, false))), _, _)
-            if motion.per.is_none() && !is_load && of_type(motion.measure) =>
+        (Some((Kind::Amplitude(Dimension { of, per }), (scale, inverse))), _, _)
+            if matches!(of, Amount::Motion(_, actual) if of_type(actual))
+                && (per.is_some() || !is_load) =>
         {
-            RatioSide::Motion(motion.moves, motion.measure, scale)
-        }
-        (Some((Kind::Motion(motion), (scale, inverse))), _, _)
-            if motion.per.is_some() && of_type(motion.measure) =>
-        {
-            RatioSide::Whole(Kind::Motion(motion), scale, inverse)
+            match (of, per) {
+                (Amount::Motion(moves, measure), None) => RatioSide::Motion(moves, measure, scale),
+                _ => RatioSide::Whole(Kind::Amplitude(Dimension { of, per }), scale, inverse),
+            }
         }
         (Some((Kind::Energy, (scale, inverse))), _, None) if !is_load => {
             RatioSide::Whole(Kind::Energy, scale, inverse)

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use num_complex::Complex64;
 
 use crate::escape::escape;
-use crate::unit::{Dimension, Kind, Load, Measure, Moves, Unit};
+use crate::unit::{Amount, Dimension, Kind, Load, Measure, Moves, Unit};
 
 /// A response to write.
 #[derive(Debug, Clone, PartialEq)]
@@ -200,33 +200,36 @@ fn write_record(
 
 /// Records 9 and 10.
 fn write_ordinate(out: &mut dyn Write, kind: Kind) -> io::Result<()> {
-    let Kind::Motion(dimension) = kind else {
+    let Kind::Amplitude(dimension) = kind else {
         write_axis(out, 1, [1, 1], "Energy", &kind.unit())?;
         return write_axis(out, 0, [0, 0], "NONE", "NONE");
     };
-    let numerator = Kind::Motion(Dimension {
-        per: None,
-        ..dimension
-    })
-    .unit();
-    let (code, label) = match dimension.measure {
-        Measure::Displacement => (8, "Displacement"),
-        Measure::Velocity => (11, "Velocity"),
-        Measure::Acceleration => (12, "Acceleration"),
-    };
-    match dimension.moves {
-        Moves::Length | Moves::Angle => write_axis(out, code, [0, 0], label, &numerator)?,
-        Moves::TwistRate => write_axis(out, 1, [-1, 0], "Rate of twist", &numerator)?,
+    write_amount(out, dimension.of, 9)?;
+    match dimension.per {
+        Some(amount) => write_amount(out, amount, 13),
+        None => write_axis(out, 0, [0, 0], "NONE", "NONE"),
     }
-    let Some(load) = dimension.per else {
-        return write_axis(out, 0, [0, 0], "NONE", "NONE");
+}
+
+/// The axis of a motion, or of a force with its data type: 9 is a reaction force, 13 an excitation.
+fn write_amount(out: &mut dyn Write, amount: Amount, force: i32) -> io::Result<()> {
+    let dimension = Dimension {
+        of: amount,
+        per: None,
     };
-    let (code, exponents, label) = match load {
-        Load::Force => (13, [0, 0], "Force"),
-        Load::Moment => (13, [0, 0], "Moment"),
-        Load::Bimoment => (1, [2, 1], "Bimoment"),
+    let unit = Kind::Amplitude(dimension).unit();
+    let (code, exponents, label) = match amount {
+        Amount::Motion(Moves::TwistRate, _) => (1, [-1, 0], "Rate of twist"),
+        Amount::Motion(Moves::Length | Moves::Angle, measure) => match measure {
+            Measure::Displacement => (8, [0, 0], "Displacement"),
+            Measure::Velocity => (11, [0, 0], "Velocity"),
+            Measure::Acceleration => (12, [0, 0], "Acceleration"),
+        },
+        Amount::Load(Load::Force) => (force, [0, 0], "Force"),
+        Amount::Load(Load::Moment) => (force, [0, 0], "Moment"),
+        Amount::Load(Load::Bimoment) => (1, [2, 1], "Bimoment"),
     };
-    write_axis(out, code, exponents, label, load.unit().symbol)
+    write_axis(out, code, exponents, label, &unit)
 }
 
 /// An axis: specific data type, exponents of length and force, label and unit.

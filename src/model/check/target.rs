@@ -2,11 +2,14 @@
 
 use super::super::beam::{BeamMotion, Point};
 use super::super::fault::Fault;
+use super::super::place::Places;
+use super::super::quantity::{Holder, Quantity, Reaction, Response};
 use super::super::schema::{FORCE, RESPONSE};
 use super::super::spelling::{self, element_keys};
 use super::super::toml_literal::format_number;
-use super::super::types::{MassMotion, Model, Place, Quantity, Subsystem, Target};
+use super::super::types::{MassMotion, Model, Place, Subsystem, Target};
 use super::{beyond_the_end, element_names, not_finite, numbers};
+use std::collections::HashSet;
 
 /// The most faults that suggest the nearest name, because the search is slow among many names.
 const MOST_HINTS: usize = 50;
@@ -47,18 +50,83 @@ pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
         .iter()
         .map(|response| response.name.as_str());
     element_names("responses", &names, faults);
+    let divisors: HashSet<&str> = model
+        .responses
+        .iter()
+        .filter(|response| response.enabled)
+        .filter_map(|response| response.over.as_deref())
+        .collect();
     for (response, key) in model.responses.iter().zip(element_keys(names)) {
         let path = format!("responses.{key}");
-        let at = match &response.quantity {
-            Quantity::Motion(at, _) => Some(at),
-            Quantity::Energy => None,
-        };
-        if let Some(at) = at {
-            target(&path, at, response.enabled, model, faults);
+        // What divides an enabled response is computed, too.
+        let in_use = response.enabled || divisors.contains(response.name.as_str());
+        match &response.quantity {
+            Quantity::Motion(at, _) => target(&path, at, in_use, model, faults),
+            Quantity::Reaction(Reaction::Support(Holder::Inner(name), _)) => {
+                let mut inner = model.supports.inner.iter();
+                if !inner.any(|support| support.name == *name) {
+                    faults.push(no_such_place(
+                        &path,
+                        name,
+                        &response.quantity,
+                        model,
+                        faults.len(),
+                    ));
+                }
+            }
+            Quantity::InternalForce(at, _) => place(&path, *at, model, faults),
+            Quantity::Spring(name, ..) => match subsystem(model, name) {
+                None => {
+                    faults.push(no_such_place(
+                        &path,
+                        name,
+                        &response.quantity,
+                        model,
+                        faults.len(),
+                    ));
+                }
+                Some(subsystem) if in_use => attached(&path, subsystem, faults),
+                Some(_) => {}
+            },
+            Quantity::Reaction(
+                Reaction::Support(Holder::Left | Holder::Right, _) | Reaction::Ground(_),
+            )
+            | Quantity::Energy => {}
         }
-        point(&path, response.point, at, faults);
+        over(&path, response, model, faults);
+        point(&path, response.point, response.quantity.target(), faults);
         numbers(&path, response, &RESPONSE, faults);
     }
+}
+
+/// The response that divides another one: it exists, has a phase and is not itself divided.
+fn over(path: &str, response: &Response, model: &Model, faults: &mut Vec<Fault>) {
+    let Some(name) = &response.over else { return };
+    let accepted =
+        "must be the name of a response that is neither an energy nor itself over another one";
+    let message = match response.divisor(model) {
+        _ if response.quantity.is_quadratic() => {
+            "cannot divide an energy, which has no phase; must be omitted".to_owned()
+        }
+        None => {
+            let known = model.responses.iter().map(|one| one.name.as_str());
+            let known = known.filter(|known| *known != response.name);
+            let near = spelling::nearest(name, known);
+            let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
+            format!("{name:?} is not a response{near}; {accepted}")
+        }
+        Some(_) if *name == response.name => {
+            format!("{name:?} is this response itself; {accepted}")
+        }
+        Some(divisor) if divisor.quantity.is_quadratic() => {
+            format!("{name:?} is an energy, which has no phase; {accepted}")
+        }
+        Some(divisor) => match &divisor.over {
+            Some(next) => format!("{name:?} is itself over {next:?}; {accepted}"),
+            None => return,
+        },
+    };
+    faults.push(Fault::new(format!("{path}.over"), message));
 }
 
 /// A point of the section, which only a displacement of the beam has.
@@ -77,30 +145,14 @@ fn point(path: &str, point: Point, target: Option<&Target>, faults: &mut Vec<Fau
     }
 }
 
-/// The position of a force or response: on the beam, or at a subsystem that exists and, if in use, is attached.
+/// The position of a force or a motion: on the beam, or at a subsystem that exists and, if in use, is attached.
 fn target(path: &str, target: &Target, in_use: bool, model: &Model, faults: &mut Vec<Fault>) {
     match target {
-        Target::Beam(Place::Left | Place::Right, _) => {}
-        Target::Beam(Place::Position(position), _) => {
-            let path = format!("{path}.at");
-            if !position.is_finite() {
-                faults.push(Fault::new(path, not_finite(*position)));
-            } else if *position < 0.0 {
-                faults.push(Fault::new(
-                    path,
-                    format!("is {}; must be >= 0", format_number(*position)),
-                ));
-            } else {
-                beyond_the_end(format_args!("{path}"), *position, model, faults);
-            }
-        }
-        Target::Mass(name, motion) => match model
-            .subsystems
-            .iter()
-            .find(|subsystem| subsystem.name == *name)
-        {
+        Target::Beam(at, _) => place(path, *at, model, faults),
+        Target::Mass(name, motion) => match subsystem(model, name) {
             None => {
-                let message = no_such_place(name, model, faults.len() < MOST_HINTS);
+                let hint = faults.len() < MOST_HINTS;
+                let message = Places::of_motion(model).refusal(name, hint);
                 faults.push(Fault::new(format!("{path}.at"), message));
             }
             Some(subsystem) if in_use => mass(path, subsystem, *motion, faults),
@@ -109,31 +161,40 @@ fn target(path: &str, target: &Target, in_use: bool, model: &Model, faults: &mut
     }
 }
 
-fn no_such_place(name: &str, model: &Model, hint: bool) -> String {
-    let known = ["left", "right"].into_iter().chain(
-        model
-            .subsystems
-            .iter()
-            .map(|subsystem| subsystem.name.as_str()),
-    );
-    let near = if hint {
-        spelling::nearest(name, known)
-    } else {
-        None
+/// A position on the beam.
+fn place(path: &str, at: Place, model: &Model, faults: &mut Vec<Fault>) {
+    let Place::Position(position) = at else {
+        return;
     };
-    let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
-    format!(
-        "{name:?} is not a subsystem{near}; must be \"left\", \"right\", a position in m or {}",
-        if model.subsystems.is_empty() {
-            "a subsystem's name (there is none)"
-        } else {
-            "a subsystem's name"
-        }
-    )
+    let path = format!("{path}.at");
+    if !position.is_finite() {
+        faults.push(Fault::new(path, not_finite(position)));
+    } else if position < 0.0 {
+        let message = format!("is {}; must be >= 0", format_number(position));
+        faults.push(Fault::new(path, message));
+    } else {
+        beyond_the_end(format_args!("{path}"), position, model, faults);
+    }
 }
 
-/// A motion of a mass that is in use.
-fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<Fault>) {
+fn subsystem<'a>(model: &'a Model, name: &str) -> Option<&'a Subsystem> {
+    model.subsystems.iter().find(|one| one.name == name)
+}
+
+/// A name where a quantity cannot be read; with a similar one if few faults were found `before`.
+fn no_such_place(
+    path: &str,
+    name: &str,
+    quantity: &Quantity,
+    model: &Model,
+    before: usize,
+) -> Fault {
+    let message = Places::of(quantity, model).refusal(name, before < MOST_HINTS);
+    Fault::new(format!("{path}.at"), message)
+}
+
+/// A subsystem that is in use.
+fn attached(path: &str, subsystem: &Subsystem, faults: &mut Vec<Fault>) {
     let name = &subsystem.name;
     if !subsystem.enabled {
         faults.push(Fault::new(
@@ -144,6 +205,11 @@ fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<
             ),
         ));
     }
+}
+
+/// A motion of a mass that is in use.
+fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<Fault>) {
+    attached(path, subsystem, faults);
     let moment = |left: f64, right: f64| {
         left * subsystem.arm_left.powi(2) + right * subsystem.arm_right.powi(2) == 0.0
     };
@@ -155,8 +221,9 @@ fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<
         faults.push(Fault::new(
             format!("{path}.direction"),
             format!(
-                "nothing resists theta of subsystem {name:?}; its inertia must be > 0, or a z spring or damper must act \
-                 on an arm"
+                "nothing resists theta of subsystem {:?}; its inertia must be > 0, or a z spring or damper must act \
+                 on an arm",
+                subsystem.name
             ),
         ));
     }

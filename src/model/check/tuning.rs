@@ -8,10 +8,9 @@ use super::super::schema::{AIMS, Access, Asked, Choice, Kind, LIMITS, OBJECTIVE,
 use super::super::spelling;
 use super::super::toml_literal::format_number;
 use super::super::tuning::{Aim, Hold, Limit, Objective, Tune, Variable};
-use super::super::types::{Model, Quantity, Spacing};
+use super::super::types::{Model, Spacing};
 use super::studies::{BareModel, not_empty};
 use super::{band, not_finite, state};
-use crate::unit::Measure;
 use std::collections::HashMap;
 
 /// Adds the faults of a model's tuning.
@@ -273,22 +272,20 @@ fn response(at: &str, model: &Model, name: Option<&String>, asked: Asked, faults
         Some(found) if !found.enabled => {
             format!("{name:?} is disabled; must be an enabled response")
         }
-        Some(found) => match (&found.quantity, asked) {
-            (Quantity::Energy, Asked::Motion) => {
-                format!("{name:?} is an energy, which has no phase; must be a motion")
+        Some(found) => match asked {
+            Asked::Motion if found.quantity.is_quadratic() => {
+                format!("{name:?} is an energy, which has no phase; must be a motion or a force")
             }
-            (Quantity::Energy, Asked::Displacement) => {
-                format!("{name:?} is an energy; must be a displacement")
+            Asked::Displacement if found.quantity.is_quadratic() => {
+                format!("{name:?} is an energy; must be a displacement or a force")
             }
-            (Quantity::Motion(_, measure), Asked::Displacement)
-                if *measure != Measure::Displacement =>
-            {
-                let measure = measure.key();
+            Asked::Displacement if !found.quantity.is_static() => {
+                let measure = found.quantity.word();
                 format!(
-                    "{name:?} is of measure {measure}, which is 0 at rest; must be a displacement"
+                    "{name:?} is of measure {measure}, which is 0 at rest; must be a displacement or a force"
                 )
             }
-            _ => return,
+            Asked::Nothing | Asked::Any | Asked::Motion | Asked::Displacement => return,
         },
     };
     faults.push(Fault::new(format!("{at}.response"), message));

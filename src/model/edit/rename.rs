@@ -3,8 +3,9 @@
 use crate::model::id::{Group, SupportId};
 use crate::model::path::Pattern;
 use crate::model::path::pattern::{Part, join};
+use crate::model::quantity::{Holder, Quantity, Reaction};
 use crate::model::tuning::Limit;
-use crate::model::types::{Family, Model, Quantity, Target};
+use crate::model::types::{Family, Model, Target};
 
 /// Renames an element of a list and all references to it.
 pub(super) fn element(model: &mut Model, group: Group, new: &str) {
@@ -20,20 +21,20 @@ pub(super) fn element(model: &mut Model, group: Group, new: &str) {
 /// Renames a subsystem and all references to it.
 fn subsystem(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.subsystems[index].name, new.to_owned());
-    let forces = model.forces.iter_mut().map(|force| &mut force.target);
-    let responses =
-        model
-            .responses
-            .iter_mut()
-            .filter_map(|response| match &mut response.quantity {
-                Quantity::Motion(target, _) => Some(target),
-                Quantity::Energy => None,
-            });
-    for target in forces.chain(responses) {
-        if let Target::Mass(name, _) = target
-            && *name == old
-        {
-            new.clone_into(name);
+    for force in &mut model.forces {
+        if let Target::Mass(name, _) = &mut force.target {
+            follow(name, &old, new);
+        }
+    }
+    for response in &mut model.responses {
+        match &mut response.quantity {
+            Quantity::Motion(Target::Mass(name, _), _) | Quantity::Spring(name, ..) => {
+                follow(name, &old, new);
+            }
+            Quantity::Motion(Target::Beam(..), _)
+            | Quantity::Reaction(_)
+            | Quantity::InternalForce(..)
+            | Quantity::Energy => {}
         }
     }
     paths(model, &["subsystems"], &old, new);
@@ -43,17 +44,38 @@ fn subsystem(model: &mut Model, index: usize, new: &str) {
 fn inner_support(model: &mut Model, index: usize, new: &str) {
     let name = &mut model.supports.inner[index].name;
     let old = std::mem::replace(name, new.to_owned());
+    for response in &mut model.responses {
+        if let Quantity::Reaction(Reaction::Support(Holder::Inner(name), _)) =
+            &mut response.quantity
+        {
+            follow(name, &old, new);
+        }
+    }
     paths(model, &["supports", "inner"], &old, new);
+}
+
+/// Renames a reference, if it is one to the old name.
+fn follow(name: &mut String, old: &str, new: &str) {
+    if name == old {
+        new.clone_into(name);
+    }
 }
 
 /// Renames a response and all references to it.
 fn response(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.responses[index].name, new.to_owned());
+    for response in &mut model.responses {
+        if let Some(over) = &mut response.over {
+            follow(over, &old, new);
+        }
+    }
     if let Some(tune) = &mut model.tune {
         let objectives = tune.objectives.iter_mut();
         let responses = objectives.filter_map(|objective| objective.response.as_mut());
         let limits = tune.limits.iter_mut().filter_map(|limit| match limit {
-            Limit::StaticDeflection { response, .. } => Some(response),
+            Limit::Peak { response, .. } | Limit::StaticDeflection { response, .. } => {
+                Some(response)
+            }
             Limit::AddedMass { .. } | Limit::NoMode { .. } | Limit::Buckling { .. } => None,
         });
         for response in responses.chain(limits).filter(|name| **name == old) {

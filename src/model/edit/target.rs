@@ -1,138 +1,98 @@
 //! The position and direction of a force or response, as text.
 
 use super::value::Value;
-use crate::model::beam::{BeamMotion, Point};
+use crate::model::beam::Point;
 use crate::model::id::Group;
-use crate::model::spelling::{nearest, segment};
-use crate::model::types::{MassMotion, Model, Place, Quantity, Target};
-use crate::unit::{Measure, Unit, value_input};
+use crate::model::place::Places;
+use crate::model::quantity::Quantity;
+use crate::model::types::{At, Model, Target};
 
-/// The target of an energy response that becomes a motion.
-const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);
-
-/// The most subsystems that a message lists.
-const MOST_LISTED: usize = 6;
-
-/// The position as text that [`moved`] reads back: `left`, `right`, `1.6 m`, or a subsystem's name, in quotes if it
-/// could be read as one of the others.
-pub(super) fn place(target: &Target) -> String {
-    match target {
-        Target::Beam(Place::Left, _) => "left".to_owned(),
-        Target::Beam(Place::Right, _) => "right".to_owned(),
-        Target::Beam(Place::Position(position), _) => Unit::METRE.format_exact(*position),
-        Target::Mass(name, _) if is_plain(name) => name.clone(),
-        Target::Mass(name, _) => format!("'{name}'"),
-    }
+/// What has a position and a direction.
+#[derive(Clone, Copy)]
+pub(in crate::model) enum Placed<'a> {
+    Force(&'a Target),
+    Response(&'a Quantity),
 }
 
-/// Whether [`moved`] reads a name without quotes as a name.
-fn is_plain(name: &str) -> bool {
-    let place = matches!(name, "" | "left" | "right")
-        || value_input::number(name, 0.0, &Unit::METRE).is_ok();
-    !place && name.trim() == name && unquoted(name).is_none()
-}
-
-/// The text inside quotes; none without quotes.
-fn unquoted(text: &str) -> Option<&str> {
-    let quoted = |quote| {
-        text.strip_prefix(quote)
-            .and_then(|rest: &str| rest.strip_suffix(quote))
-    };
-    quoted('\'').or_else(|| quoted('"'))
-}
-
-/// The word of a direction.
-pub(super) fn direction(target: &Target) -> &'static str {
-    match target {
-        Target::Beam(_, motion) => motion.key(),
-        Target::Mass(_, motion) => motion.key(),
-    }
-}
-
-/// The words of the directions that the position permits.
-pub(in crate::model) const fn directions(target: &Target) -> &'static [&'static str] {
-    match target {
-        Target::Beam(..) => BeamMotion::WORDS,
-        Target::Mass(..) => MassMotion::WORDS,
-    }
-}
-
-/// The target of a force or response; none for an energy.
-pub fn target_of(model: &Model, group: Group) -> Option<&Target> {
-    match group {
-        Group::Force(index) => Some(&model.forces[index].target),
-        Group::Response(index) => match &model.responses[index].quantity {
-            Quantity::Motion(target, _) => Some(target),
-            Quantity::Energy => None,
-        },
-        _ => None,
-    }
-}
-
-/// As [`target_of`], or a message if there is none.
-pub(super) fn known(model: &Model, group: Group) -> Result<&Target, String> {
-    target_of(model, group).ok_or_else(|| "is an energy, that of the whole beam; the measure must be displacement, velocity or acceleration first".to_owned())
-}
-
-/// Sets the target; a direction that is the same at every point of the section has none.
-fn put(model: &mut Model, group: Group, new: Target) {
-    let (target, point) = match group {
-        Group::Force(index) => {
-            let force = &mut model.forces[index];
-            (Some(&mut force.target), &mut force.point)
+impl<'a> Placed<'a> {
+    /// The force or response of a group; none for an energy, which is that of the whole beam.
+    pub(in crate::model) fn of(model: &'a Model, group: Group) -> Option<Self> {
+        match group {
+            Group::Force(index) => Some(Self::Force(&model.forces[index].target)),
+            Group::Response(index) => {
+                let quantity = &model.responses[index].quantity;
+                quantity.at().is_some().then_some(Self::Response(quantity))
+            }
+            _ => None,
         }
-        Group::Response(index) => {
-            let response = &mut model.responses[index];
-            let target = match &mut response.quantity {
-                Quantity::Motion(target, _) => Some(target),
-                Quantity::Energy => None,
-            };
-            (target, &mut response.point)
+    }
+
+    /// Its position.
+    pub(in crate::model) fn at(self) -> At<'a> {
+        match self {
+            Self::Force(target) => target.at(),
+            Self::Response(quantity) => quantity.at().unwrap_or(At::Ground),
         }
-        _ => return,
-    };
-    if !new.has_point() {
-        *point = Point::AXIS;
     }
-    if let Some(target) = target {
-        *target = new;
+
+    /// The word of its direction.
+    pub(super) fn direction(self) -> &'static str {
+        match self {
+            Self::Force(target) => target.direction(),
+            Self::Response(quantity) => quantity.direction().unwrap_or_default(),
+        }
+    }
+
+    /// The words of the directions that its position permits.
+    pub(in crate::model) fn directions(self) -> &'static [&'static str] {
+        match self {
+            Self::Force(target) => target.directions(),
+            Self::Response(quantity) => quantity.directions(),
+        }
+    }
+
+    /// The accepted positions.
+    pub(in crate::model) fn places(self, model: &Model) -> Places<'_> {
+        match self {
+            Self::Force(_) => Places::of_motion(model),
+            Self::Response(quantity) => Places::of(quantity, model),
+        }
+    }
+
+    /// The motion at which it acts or is read; none for what is no motion.
+    pub(in crate::model) fn target(self) -> Option<&'a Target> {
+        match self {
+            Self::Force(target) => Some(target),
+            Self::Response(quantity) => quantity.target(),
+        }
     }
 }
 
-/// The word of a response's measure.
-pub(super) const fn measure(quantity: &Quantity) -> &'static str {
-    match quantity {
-        Quantity::Motion(_, measure) => measure.key(),
-        Quantity::Energy => Quantity::ENERGY,
-    }
+/// As [`Placed::of`], or a message if there is none.
+pub(super) fn known(model: &Model, group: Group) -> Result<Placed<'_>, String> {
+    Placed::of(model, group).ok_or_else(|| {
+        "is an energy, that of the whole beam; must have another measure first".to_owned()
+    })
 }
 
-/// A quantity with another measure. An energy that becomes a motion is w at the right end.
+/// Where a force acts or a response is read; none for an energy, which is that of the whole beam.
+pub fn at_of(model: &Model, group: Group) -> Option<At<'_>> {
+    Placed::of(model, group).map(Placed::at)
+}
+
+/// Moves a force or response to another position, with the direction that corresponds to the old one.
 ///
 /// # Errors
-/// The measure is unknown; the message lists all measures.
-pub(super) fn measured(quantity: &Quantity, word: &str) -> Result<Quantity, String> {
-    if word == Quantity::ENERGY {
-        return Ok(Quantity::Energy);
-    }
-    let measure = Measure::of_word(word).ok_or_else(|| {
-        let words = Measure::WORDS.join(", ");
-        format!("is {word:?}; must be {words} or {}", Quantity::ENERGY)
-    })?;
-    let target = match quantity {
-        Quantity::Motion(target, _) => target.clone(),
-        Quantity::Energy => DEFAULT,
-    };
-    Ok(Quantity::Motion(target, measure))
-}
-
-/// Moves a force or response to another position, with the motion that corresponds to the old one.
-///
-/// # Errors
-/// It is an energy, or the text is not a position; the message says what is accepted.
+/// It is an energy, or the text is not an accepted position; the message says what is accepted.
 pub(super) fn place_at(model: &mut Model, group: Group, value: Value) -> Result<(), String> {
     let old = known(model, group)?;
-    let new = moved(model, old, &value.text()?)?;
+    let text = value.text()?;
+    let places = old.places(model);
+    let at = places.read(&text, old.at())?;
+    let new = match old {
+        Placed::Force(target) => target.moved(at).map(Changed::Force),
+        Placed::Response(quantity) => quantity.moved(at).map(Changed::Response),
+    };
     put(model, group, new);
     Ok(())
 }
@@ -142,91 +102,46 @@ pub(super) fn place_at(model: &mut Model, group: Group, value: Value) -> Result<
 /// # Errors
 /// It is an energy, or the position does not permit the direction; the message lists the accepted ones.
 pub(super) fn turn(model: &mut Model, group: Group, value: &Value) -> Result<(), String> {
-    let old = known(model, group)?;
-    let new = turned(old, value.word()?)?;
+    let (old, word) = (known(model, group)?, value.word()?);
+    let new = match old {
+        Placed::Force(target) => target.turned(word).map(Changed::Force),
+        Placed::Response(quantity) => quantity.turned(word).map(Changed::Response),
+    };
+    if new.is_none() {
+        let place = match old.at() {
+            At::Beam(_) => "on the beam",
+            At::Subsystem(_) => "at a subsystem",
+            At::Support(_) => "at a support",
+            At::Ground => "on the ground",
+        };
+        let fitting = old.directions().join(", ");
+        return Err(format!("is {word:?}; must be {fitting} {place}"));
+    }
     put(model, group, new);
     Ok(())
 }
 
-fn moved(model: &Model, old: &Target, text: &str) -> Result<Target, String> {
-    let text = text.trim();
-    let known = |name: &str| {
-        model
-            .subsystems
-            .iter()
-            .any(|subsystem| subsystem.name == name)
-    };
-    let at = |place| Target::Beam(place, beam_motion(old));
-    // A change such as *1.1 starts from the current position.
-    let position = match old {
-        Target::Beam(Place::Position(position), _) => *position,
-        _ => f64::NAN,
-    };
-    let name = match (text, unquoted(text)) {
-        ("left", _) => return Ok(at(Place::Left)),
-        ("right", _) => return Ok(at(Place::Right)),
-        (_, Some(name)) if known(name) => name,
-        _ => match value_input::number(text, position, &Unit::METRE) {
-            Ok(position) => return Ok(at(Place::Position(position))),
-            Err(_) if known(text) => text,
-            Err(_) => return Err(no_place(model, text)),
-        },
-    };
-    Ok(Target::Mass(name.to_owned(), mass_motion(old)))
+/// A force's new position and direction, or a response's new quantity.
+enum Changed {
+    Force(Target),
+    Response(Quantity),
 }
 
-fn turned(old: &Target, word: &str) -> Result<Target, String> {
-    let (beam, mass) = (BeamMotion::of_word(word), MassMotion::of_word(word));
-    let place = match (old, beam, mass) {
-        (Target::Beam(place, _), Some(motion), _) => return Ok(Target::Beam(*place, motion)),
-        (Target::Mass(name, _), _, Some(motion)) => return Ok(Target::Mass(name.clone(), motion)),
-        (Target::Beam(..), ..) => "on the beam",
-        (Target::Mass(..), ..) => "at a subsystem",
-    };
-    let fitting = directions(old).join(", ");
-    Err(format!("is {word:?}; must be {fitting} {place}"))
-}
-
-/// The beam motion of a target, or the one that corresponds to its mass motion.
-fn beam_motion(target: &Target) -> BeamMotion {
-    match target {
-        Target::Beam(_, motion) => *motion,
-        Target::Mass(_, MassMotion::Y) => BeamMotion::W,
-        Target::Mass(_, MassMotion::Z) => BeamMotion::V,
-        Target::Mass(_, MassMotion::Theta) => BeamMotion::Psi,
+/// Changes a force or response; a direction that is the same at every point of the section has none.
+fn put(model: &mut Model, group: Group, new: Option<Changed>) {
+    match (group, new) {
+        (Group::Force(index), Some(Changed::Force(target))) => {
+            let force = &mut model.forces[index];
+            if !target.has_point() {
+                force.point = Point::AXIS;
+            }
+            force.target = target;
+        }
+        (Group::Response(index), Some(Changed::Response(quantity))) => {
+            model.responses[index].set_quantity(quantity);
+        }
+        _ => {}
     }
-}
-
-/// The mass motion of a target, or the one that corresponds to its beam motion.
-fn mass_motion(target: &Target) -> MassMotion {
-    match target {
-        Target::Mass(_, motion) => *motion,
-        Target::Beam(_, BeamMotion::W | BeamMotion::WSlope) => MassMotion::Y,
-        Target::Beam(_, BeamMotion::V | BeamMotion::VSlope) => MassMotion::Z,
-        Target::Beam(_, BeamMotion::Psi | BeamMotion::PsiSlope) => MassMotion::Theta,
-    }
-}
-
-/// The accepted positions, in words.
-pub(in crate::model) fn places(model: &Model) -> String {
-    let names: Vec<String> = model
-        .subsystems
-        .iter()
-        .take(MOST_LISTED + 1)
-        .map(|of| segment(&of.name))
-        .collect();
-    match names.len() {
-        0 => "left, right or a position in m".to_owned(),
-        1..=MOST_LISTED => format!("left, right, a position in m or {}", names.join(", ")),
-        _ => "left, right, a position in m or a subsystem's name".to_owned(),
-    }
-}
-
-fn no_place(model: &Model, text: &str) -> String {
-    let names = model.subsystems.iter().map(|subsystem| &*subsystem.name);
-    let near = nearest(text, ["left", "right"].into_iter().chain(names));
-    let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
-    format!("is {text:?}{near}; must be {}", places(model))
 }
 
 #[cfg(test)]

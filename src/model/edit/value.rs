@@ -2,13 +2,14 @@
 
 use super::rename;
 use super::target;
-use crate::model::beam::{Beam, BeamMotion, Point, Span};
+use crate::model::beam::{Beam, BeamMotion, Span};
 use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::path;
+use crate::model::place;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::spring::{Elastic, Spring};
 use crate::model::toml_literal::format_number;
-use crate::model::types::{Link, Model, Quantity, Restraint, Support};
+use crate::model::types::{Link, Model, Restraint, Support};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +25,9 @@ pub enum Value {
     /// Free text, a name, or a position: `left`, `right`, `1.6 m`, a subsystem's name.
     Text(String),
 }
+
+/// The text of a response that no other one divides.
+const NO_DIVISOR: &str = "none";
 
 impl Value {
     /// Its number.
@@ -185,10 +189,14 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
         }
         (Group::Span(_), _) => Value::Number(model.beam.axial_force),
         (Group::Response(index), Kind::Measure) => {
-            Value::Choice(target::measure(&model.responses[index].quantity))
+            Value::Choice(model.responses[index].quantity.word())
         }
-        (_, Kind::Place) => Value::Text(target::place(target()?)),
-        _ => Value::Choice(target::direction(target()?)),
+        (Group::Response(index), Kind::Over) => {
+            let over = model.responses[index].over.as_deref();
+            Value::Text(over.unwrap_or(NO_DIVISOR).to_owned())
+        }
+        (_, Kind::Place) => Value::Text(place::text(target()?.at())),
+        _ => Value::Choice(target()?.direction()),
     })
 }
 
@@ -224,6 +232,28 @@ fn rigid(model: &Model, joint: usize, motion: BeamMotion, key: &Key) -> String {
     format!("{motion} is rigid there, so it has no {key}; {link} must be free or elastic first")
 }
 
+/// The values of a position, or of the response that divides another one, that are words or names, in their order: the ends
+/// and what has a name, of the subsystems those enabled; none and the responses that can divide.
+pub fn names(model: &Model, id: ParameterId) -> Vec<Value> {
+    let texts = match (id.group, id.key().kind) {
+        (group, Kind::Place) => {
+            let placed = target::Placed::of(model, group);
+            placed.map_or_else(Vec::new, |placed| placed.places(model).texts(model))
+        }
+        (Group::Response(index), Kind::Over) => {
+            let own = &model.responses[index].name;
+            let all = model.responses.iter();
+            let can_divide = all.filter(|of| of.is_linear() && of.name != *own);
+            let names = can_divide.map(|of| of.name.clone());
+            std::iter::once(NO_DIVISOR.to_owned())
+                .chain(names)
+                .collect()
+        }
+        _ => Vec::new(),
+    };
+    texts.into_iter().map(Value::Text).collect()
+}
+
 /// Writes a value, without a check of the result.
 ///
 /// # Errors
@@ -235,12 +265,15 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         (group, Kind::Name) => rename::element(model, group, &value.text()?),
         (group, Kind::Place) => target::place_at(model, group, value)?,
         (group, Kind::Direction) => target::turn(model, group, &value)?,
+        (Group::Response(index), Kind::Over) => {
+            let name = value.text()?;
+            let is_none = name.trim().is_empty() || name == NO_DIVISOR;
+            model.responses[index].over = (!is_none).then_some(name);
+        }
         (Group::Response(index), Kind::Measure) => {
-            let response = &mut model.responses[index];
-            response.quantity = target::measured(&response.quantity, value.word()?)?;
-            if response.quantity == Quantity::Energy {
-                response.point = Point::AXIS;
-            }
+            let old = &model.responses[index].quantity;
+            let new = old.of_word(value.word()?, model)?;
+            model.responses[index].set_quantity(new);
         }
         (Group::Support(support), Kind::Support) => {
             put_support(support.support_mut(model), value.word()?)?;
@@ -406,8 +439,9 @@ mod tests {
     use crate::model::beam::{BeamMotion, Section};
     use crate::model::edit::{Value, set, set_unchecked};
     use crate::model::path::{all, number, parameter, sample};
+    use crate::model::quantity::Quantity;
     use crate::model::spring::Elastic;
-    use crate::model::types::{Model, Place, Quantity, Restraint, Support, Target};
+    use crate::model::types::{Model, Place, Restraint, Support, Target};
     use crate::unit::Measure;
 
     fn choice(word: &'static str) -> Value {

@@ -1,11 +1,12 @@
 //! Models for tests.
 
 use crate::model::beam::{Beam, BeamMotion, Bedding, Foundation, Material, Point, Section, Span};
+use crate::model::quantity::{Quantity, Response};
 use crate::model::spring::{Elastic, MaxwellBranch, Spring};
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Case, Family, Force, InnerSupport, Joint, Link, MassMotion, Model, Operation, Place, Quantity,
-    Response, Restraint, Spacing, Study, Subsystem, Support, Supports, Sweep, Target,
+    Case, Family, Force, InnerSupport, Joint, Link, MassMotion, Model, Operation, Place, Restraint,
+    Spacing, Study, Subsystem, Support, Supports, Sweep, Target,
 };
 use crate::unit::Measure;
 
@@ -248,6 +249,7 @@ fn responses(names: &[&str]) -> Vec<Response> {
         enabled: true,
         quantity,
         point: Point::AXIS,
+        over: None,
     };
     let w = Target::Beam(Place::Right, BeamMotion::W);
     let mut all = vec![

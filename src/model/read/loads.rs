@@ -1,8 +1,11 @@
 //! Forces and responses of a model file.
 
 use super::super::beam::{BeamMotion, Point};
+use super::super::quantity::{Across, Holder, Quantity, Reaction, Response, SpringMeasure};
 use super::super::schema::{FORCE, Kind, RESPONSE};
-use super::super::types::{Force, MassMotion, Place, Quantity, Response, Target};
+use super::super::spring::SpringName;
+use super::super::toml_literal::format_number;
+use super::super::types::{Force, MassMotion, Place, Target};
 use super::list::{named, names as element_names};
 use super::reader::Reader;
 use super::table::Table;
@@ -56,6 +59,7 @@ pub(super) fn responses(
             enabled: true,
             quantity: Quantity::Energy,
             point: Point::AXIS,
+            over: None,
         };
         if let Some(mut table) = table {
             table.rows(
@@ -77,13 +81,40 @@ pub(super) fn responses(
 }
 
 fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quantity {
-    let words = [Measure::WORDS, &[Quantity::ENERGY]].concat();
-    match table.word("measure", &words, Some(0), reader) {
-        Some(index) if index < Measure::ALL.len() => {
-            Quantity::Motion(target(table, names, reader), Measure::ALL[index])
+    let words = Quantity::words();
+    let word = table.word("measure", &words, Some(0), reader);
+    let word = word.map(|index| words[index]);
+    let spring = word.and_then(SpringMeasure::of_word);
+    match (word, word.and_then(Measure::of_word), spring) {
+        (_, Some(measure), _) => Quantity::Motion(target(table, names, reader), measure),
+        (_, _, Some(measure)) => {
+            let name = match place(table, "a subsystem's name", reader) {
+                Some(Err(name)) => name,
+                Some(Ok(place)) => text_of(place),
+                None => String::new(),
+            };
+            let spring = table.word("direction", SpringName::WORDS, None, reader);
+            let spring = spring.map_or(SpringName::YLeft, |index| SpringName::ALL[index]);
+            Quantity::Spring(name, spring, measure)
         }
-        Some(_) => {
-            for key in ["at", "direction", "y", "z"] {
+        (Some(Quantity::REACTION), ..) => Quantity::Reaction(reaction(table, reader)),
+        (Some(Quantity::INTERNAL_FORCE), ..) => {
+            let expected = "\"left\", \"right\" or a position in m";
+            let place = match place(table, expected, reader) {
+                Some(Ok(place)) => place,
+                Some(Err(name)) => {
+                    if let Some((path, node)) = table.take("at", reader) {
+                        let message = format!("is {name:?}; must be {expected}");
+                        reader.fault(node.span().start, &path, message);
+                    }
+                    Place::Left
+                }
+                None => Place::Left,
+            };
+            Quantity::InternalForce(place, beam_motion(table, reader))
+        }
+        (Some(_), ..) => {
+            for key in ["at", "direction", "y", "z", "over"] {
                 if let Some((path, node)) = table.take(key, reader) {
                     let message = "cannot be combined with measure = \"energy\", that of the whole beam; must be omitted";
                     reader.fault(node.span().start, &path, message);
@@ -92,10 +123,10 @@ fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quant
             Quantity::Energy
         }
         // Whether a position is missing depends on the unreadable measure.
-        None if table.has("at") && table.has("direction") => {
+        (None, ..) if table.has("at") && table.has("direction") => {
             Quantity::Motion(target(table, names, reader), Measure::Displacement)
         }
-        None => {
+        (None, ..) => {
             table.take("at", reader);
             table.take("direction", reader);
             Quantity::Energy
@@ -103,18 +134,47 @@ fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quant
     }
 }
 
+/// The support or the ground, and its direction; the checks report an unknown support.
+fn reaction(table: &mut Table<'_>, reader: &mut Reader) -> Reaction {
+    let expected = "\"left\", \"right\", an inner support's name or \"ground\"";
+    let holder = match place(table, expected, reader) {
+        Some(Ok(Place::Left)) | None => Holder::Left,
+        Some(Ok(Place::Right)) => Holder::Right,
+        Some(Err(name)) if name == "ground" => {
+            let across = table.word("direction", Across::WORDS, None, reader);
+            let across = across.map_or(Across::W, |index| Across::ALL[index]);
+            return Reaction::Ground(across);
+        }
+        Some(Err(name)) => Holder::Inner(name),
+        Some(Ok(place @ Place::Position(_))) => Holder::Inner(text_of(place)),
+    };
+    Reaction::Support(holder, beam_motion(table, reader))
+}
+
+/// A position as the text of a name, which the checks report as unknown.
+fn text_of(place: Place) -> String {
+    match place {
+        Place::Left => "left".to_owned(),
+        Place::Right => "right".to_owned(),
+        Place::Position(position) => format_number(position),
+    }
+}
+
+fn beam_motion(table: &mut Table<'_>, reader: &mut Reader) -> BeamMotion {
+    let motion = table.word("direction", BeamMotion::WORDS, None, reader);
+    motion.map_or(BeamMotion::W, |index| BeamMotion::ALL[index])
+}
+
 /// Position and direction; the checks report an unknown subsystem.
 fn target(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Target {
-    let place = place(table, reader);
+    let place = place(
+        table,
+        "\"left\", \"right\", a position in m or a subsystem's name",
+        reader,
+    );
     let (beam, mass) = (BeamMotion::WORDS, MassMotion::WORDS);
     match place {
-        Some(Ok(place)) => {
-            let motion = table.word("direction", beam, None, reader);
-            Target::Beam(
-                place,
-                motion.map_or(BeamMotion::W, |index| BeamMotion::ALL[index]),
-            )
-        }
+        Some(Ok(place)) => Target::Beam(place, beam_motion(table, reader)),
         Some(Err(name)) if names.contains(&name.as_str()) => {
             let motion = table.word("direction", mass, None, reader);
             Target::Mass(
@@ -132,16 +192,19 @@ fn target(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Target 
     }
 }
 
-/// A position on the beam, or the name of a subsystem; none if unreadable.
-fn place(table: &mut Table<'_>, reader: &mut Reader) -> Option<Result<Place, String>> {
-    const EXPECTED: &str = "\"left\", \"right\", a position in m or a subsystem's name";
-    let (path, node) = table.need("at", EXPECTED, reader)?;
+/// A position on the beam, or another word; none if unreadable.
+fn place(
+    table: &mut Table<'_>,
+    expected: &str,
+    reader: &mut Reader,
+) -> Option<Result<Place, String>> {
+    let (path, node) = table.need("at", expected, reader)?;
     match node.get_ref() {
         DeValue::String(word) => Some(match word.as_ref() {
             "left" => Ok(Place::Left),
             "right" => Ok(Place::Right),
             name => Err(name.to_owned()),
         }),
-        _ => Some(Ok(Place::Position(number(&path, node, EXPECTED, reader)))),
+        _ => Some(Ok(Place::Position(number(&path, node, expected, reader)))),
     }
 }

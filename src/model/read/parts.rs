@@ -5,7 +5,7 @@ use super::super::id::SupportId;
 use super::super::schema::{
     self, Access, FEWEST_POINTS, FOUNDATION, JOINT, MATERIAL, Rows, SECTION, SPAN, SUBSYSTEM,
 };
-use super::super::spring::{Elastic, MaxwellBranch, Spring, SubsystemSpring};
+use super::super::spring::{Elastic, MaxwellBranch, Spring, SpringName};
 use super::super::types::{
     InnerSupport, Joint, Link, Model, Restraint, Spacing, Subsystem, Support, Supports, Sweep,
 };
@@ -303,7 +303,7 @@ fn subsystem(table: Option<Table<'_>>, reader: &mut Reader) -> Subsystem {
     if let Some(mut table) = table {
         let inner = table.open_rows(&mut subsystem, &SUBSYSTEM, reader, no_own);
         for (key, mut spring) in inner {
-            let index = SubsystemSpring::WORDS.iter().position(|own| *own == key);
+            let index = SpringName::WORDS.iter().position(|own| *own == key);
             if let Some(index) = index {
                 let maxwell = maxwell(&mut spring, BeamMotion::W, reader);
                 subsystem.springs_mut()[index].maxwell = maxwell;

@@ -67,7 +67,8 @@ impl<'a> Table<'a> {
                     *place(of) = self.text(key.key, default, reader).unwrap_or_default();
                 }
                 Access::Optional(_, set) => {
-                    let absent = key.kind == Kind::Optional && !self.has(key.key);
+                    let absent =
+                        matches!(key.kind, Kind::Optional | Kind::Over) && !self.has(key.key);
                     self.accept(key.key);
                     let text = (!absent).then(|| self.text(key.key, None, reader));
                     set(of, text.flatten());

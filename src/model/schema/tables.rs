@@ -2,9 +2,10 @@
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::beam::{Beam, BeamMotion, Foundation, Material, Section, Span, Theory};
+use crate::model::quantity::Response;
 use crate::model::spring::{Elastic, MaxwellBranch, Spring};
 use crate::model::types::{
-    Force, InnerSupport, Joint, Model, Response, Spacing, Study, Subsystem, Support, Sweep,
+    Force, InnerSupport, Joint, Model, Spacing, Study, Subsystem, Support, Sweep,
 };
 use crate::unit::Unit;
 
@@ -285,10 +286,11 @@ rows! {
         Name = text("name", Name, "name of the response", name),
         Enabled = flag("enabled", Flag, "whether it is computed", enabled),
         Measure = own("measure", Measure, "what is computed"),
-        At = own("at", Place, "position on the beam, or a subsystem"),
-        Direction = own("direction", Direction, "direction of the motion"),
+        At = own("at", Place, "where it is read"),
+        Direction = own("direction", Direction, "direction of the motion or of the force, or a spring"),
         Y = number("y", "y", METRE, Any or 0.0, "point of the section that moves along v, from the axis along y", point.y),
         Z = number("z", "z", METRE, Any or 0.0, "point of the section that moves along w, from the axis along z", point.z),
+        Over = optional_text("over", Over, "response that divides it", over),
     }
 }
 

@@ -87,6 +87,12 @@ rows! {
     }
 }
 rows! {
+    PEAK of Limit {
+        text_of("response", Response, "name of the response", Limit::Peak, response),
+        number_of("at_most", ONE, Positive, "upper limit, in the response's unit", Limit::Peak, at_most),
+    }
+}
+rows! {
     STATIC_DEFLECTION of Limit {
         text_of("response", Response, "name of the response", Limit::StaticDeflection, response),
         number_of("at_most", ONE, Positive, "upper limit, in the response's unit", Limit::StaticDeflection, at_most),
@@ -103,6 +109,8 @@ choices! {
             ["added mass", "<= {at_most}", "the masses of all enabled subsystems together: at most {at_most}", ""];
         NoMode { from: f64::NAN, to: f64::NAN } "limit", "no_mode", Nothing, NO_MODE,
             ["no mode", "{band}", "no natural frequency, without damping, in {band}", ""];
+        Peak { response: String::new(), at_most: f64::NAN } "limit", "peak", Any, PEAK,
+            ["peak", "{response} <= {at_most}", "the highest peak of {response} in the sweep: at most {at_most}", ""];
         StaticDeflection { response: String::new(), at_most: f64::NAN } "limit", "static_deflection", Displacement, STATIC_DEFLECTION,
             ["static deflection", "{response} <= {at_most}", "{response} under the forces at rest: at most {at_most}", ""];
         Buckling { at_least: f64::NAN } "limit", "buckling", Nothing, BUCKLING,

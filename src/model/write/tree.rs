@@ -3,14 +3,15 @@
 use super::super::beam::{BeamMotion, Foundation, Span};
 use super::super::id::{Group, SupportId};
 use super::super::part::Part;
+use super::super::quantity::Response;
 use super::super::schema::{
     self, Access, FORCE, FOUNDATION, JOINT, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SPAN,
     SUBSYSTEM, SWEEP,
 };
-use super::super::spring::{Spring, SubsystemSpring};
+use super::super::spring::{Spring, SpringName};
 use super::super::types::{
-    Case, Family, Force, InnerSupport, Joint, Link, Model, Place, Quantity, Response, Restraint,
-    Study, Subsystem, Support, Supports, Target,
+    At, Case, Family, Force, InnerSupport, Joint, Link, Model, Place, Restraint, Study, Subsystem,
+    Support, Supports,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;
@@ -290,7 +291,7 @@ fn maxwell(spring: &Spring) -> Entry {
 fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {
     let mut entries = rows(subsystem, &SUBSYSTEM);
     for entry in &mut entries {
-        if let Some(spring) = SubsystemSpring::of_word(&entry.key)
+        if let Some(spring) = SpringName::of_word(&entry.key)
             && let Node::Inline(inner) = &mut entry.node
         {
             let spring = subsystem.springs()[spring as usize];
@@ -309,43 +310,44 @@ fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {
 }
 
 /// Position and direction.
-fn target(target: &Target) -> [Entry; 2] {
-    match target {
-        Target::Beam(place, motion) => {
-            let at = match place {
-                Place::Left => text("at", "left"),
-                Place::Right => text("at", "right"),
-                Place::Position(position) => entry("at", Node::Number(*position)),
-            };
-            [at, text("direction", motion.key())]
-        }
-        Target::Mass(name, motion) => [text("at", name), text("direction", motion.key())],
-    }
+fn position(at: At<'_>, direction: &str) -> [Entry; 2] {
+    let at = match at {
+        At::Beam(Place::Left) => text("at", "left"),
+        At::Beam(Place::Right) => text("at", "right"),
+        At::Beam(Place::Position(position)) => entry("at", Node::Number(position)),
+        At::Subsystem(name) | At::Support(name) => text("at", name),
+        At::Ground => text("at", "ground"),
+    };
+    [at, text("direction", direction)]
 }
 
 fn force(force: &Force) -> Vec<Entry> {
     let mut entries = rows(force, &FORCE);
-    insert_target(&mut entries, &force.target);
+    let target = &force.target;
+    insert_before(&mut entries, "y", position(target.at(), target.direction()));
     entries
 }
 
-/// Inserts position and direction before the point.
-fn insert_target(entries: &mut Vec<Entry>, of: &Target) {
-    let point = entries.iter().position(|entry| entry.key == "y");
-    let at = point.unwrap_or(entries.len());
-    entries.splice(at..at, target(of));
+/// Inserts entries before one with a key, or at the end.
+fn insert_before(entries: &mut Vec<Entry>, key: &str, new: impl IntoIterator<Item = Entry>) {
+    let found = entries.iter().position(|entry| entry.key == key);
+    let at = found.unwrap_or(entries.len());
+    entries.splice(at..at, new);
 }
 
 fn response(response: &Response) -> Vec<Entry> {
     let mut entries = rows(response, &RESPONSE);
-    match &response.quantity {
-        Quantity::Motion(at, measure) => {
-            insert_target(&mut entries, at);
-            let word = Node::Text(measure.key().to_owned());
-            entries.push(optional("measure", word, *measure == Measure::default()));
-        }
-        Quantity::Energy => entries.push(text("measure", Quantity::ENERGY)),
+    let quantity = &response.quantity;
+    if let (Some(at), Some(direction)) = (quantity.at(), quantity.direction()) {
+        insert_before(&mut entries, "y", position(at, direction));
     }
+    let word = quantity.word();
+    let measure = optional(
+        "measure",
+        Node::Text(word.to_owned()),
+        word == Measure::default().key(),
+    );
+    insert_before(&mut entries, "over", [measure]);
     entries
 }
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{Sample, samples};
-use crate::model::{Checked, Quantity, Response};
+use crate::model::{Checked, Response};
 use crate::solve::Cancelled;
 use crate::solve::extrema::{self, Bracket, Point, Turn};
 
@@ -75,7 +75,7 @@ pub(super) fn tops(
         Top {
             frequency: highest.map_or(band[0], |point| point.frequency),
             power: highest.map_or(0.0, |point| point.size),
-            energy: one.quantity == Quantity::Energy,
+            energy: one.quantity.is_quadratic(),
         }
     };
     Ok(responses.enumerate().map(top).collect())

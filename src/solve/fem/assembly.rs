@@ -4,8 +4,10 @@ use num_complex::Complex64;
 
 use super::beam_element::{BeamElement, Row, UNKNOWNS};
 use super::mesh::{Dof, Mesh, Unknown};
-use crate::model::{BeamMotion, MaxwellBranch, Measure, Restraint, Spring, Subsystem};
-use crate::solve::layout::{Layout, Reading};
+use crate::model::{
+    BeamMotion, MaxwellBranch, Measure, Restraint, Spring, SpringMeasure, Subsystem,
+};
+use crate::solve::layout::{Layout, Reading, Readings};
 
 /// k (1 + i eta) + i omega c, N/m, and of each Maxwell branch the inverse of the sum of its compliances.
 pub(super) fn dynamic_stiffness(spring: &Spring, omega: f64) -> Complex64 {
@@ -43,7 +45,51 @@ pub(super) struct Inertia {
 pub(super) enum Source {
     /// A sum of unknowns times factors: none for a fixed motion, the mean of two for a psi' that jumps.
     Motion(Vec<Dof>, Measure),
+    /// The forces by which some stretches and inertias act along an unknown.
+    Force(Force),
     Energy,
+}
+
+/// A sum of forces.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Force {
+    /// What resists stretches, with the factor of each.
+    pub(super) stretches: Vec<(f64, Stretch)>,
+    /// Inertias times factors with their unknowns.
+    pub(super) inertias: Vec<Dof>,
+    pub(super) load: Complex64,
+}
+
+impl Force {
+    /// Adds a factor of the force of a stretch along one of its unknowns.
+    fn pull(&mut self, factor: f64, unknowns: &[Unknown], factors: &[f64], by: &Spring) {
+        if factor != 0.0 && by.acts() {
+            self.stretches
+                .push((factor, Stretch::new(unknowns, factors, by)));
+        }
+    }
+
+    fn push(&mut self, factor: f64, unknown: Unknown) {
+        self.inertias.extend(unknown.map(|of| Dof {
+            factor: factor * of.factor,
+            ..of
+        }));
+    }
+
+    /// Adds a factor of the force of an element along one of its unknowns.
+    fn of_element(
+        &mut self,
+        factor: f64,
+        (element, unknowns): (&BeamElement, &[Unknown; UNKNOWNS]),
+        along: usize,
+    ) {
+        for (by, factors) in &element.stretches {
+            self.pull(factor * factors[along], unknowns, factors, by);
+        }
+        for (unknown, inertia) in unknowns.iter().zip(&element.inertia[along]) {
+            self.push(factor * inertia, *unknown);
+        }
+    }
 }
 
 /// An element in the energy: the unknowns of (w, psi, v), and its span.
@@ -64,7 +110,7 @@ pub(super) struct System {
     pub(super) stretches: Vec<Stretch>,
     pub(super) inertias: Vec<Inertia>,
     pub(super) loads: Vec<Complex64>,
-    pub(super) sources: Vec<Source>,
+    pub(super) sources: Vec<Readings<Source>>,
     pub(super) elements: Vec<Element>,
     /// The matrix of `E_V` of the elements of each span.
     pub(super) vibration: Vec<[Row; UNKNOWNS]>,
@@ -77,12 +123,18 @@ impl System {
         let mut system = Self {
             unknowns: mesh.unknowns,
             loads: loads(layout, &mesh),
-            sources: (layout.readings.iter())
-                .map(|reading| source(layout, &mesh, *reading))
-                .collect(),
             ..Self::default()
         };
-        system.add_elements(layout, &mesh, divisions);
+        let elements = elements(layout, divisions);
+        let meshed = Meshed {
+            layout,
+            mesh: &mesh,
+            elements: &elements,
+        };
+        let readings = layout.readings.iter();
+        let sources = readings.map(|all| all.map(|reading| meshed.source(*reading)));
+        system.sources = sources.collect();
+        system.add_elements(&mesh, &elements);
         system.add_supports(layout, &mesh);
         system.add_joints(layout, &mesh);
         system.add_subsystems(layout, &mesh);
@@ -97,13 +149,7 @@ impl System {
     }
 
     /// The strain energy and the kinetic energy of every element.
-    fn add_elements(&mut self, layout: &Layout, mesh: &Mesh, divisions: &[usize]) {
-        let ends = layout.positions.windows(2);
-        let lengths = ends
-            .zip(divisions)
-            .map(|(ends, &count)| (ends[1] - ends[0]) / count as f64);
-        let of = |(part, h)| BeamElement::new(part, h);
-        let elements: Vec<BeamElement> = layout.parts.iter().zip(lengths).map(of).collect();
+    fn add_elements(&mut self, mesh: &Mesh, elements: &[BeamElement]) {
         for (index, &span) in mesh.spans.iter().enumerate() {
             let unknowns = unknowns(mesh, index);
             let element = &elements[span];
@@ -117,7 +163,7 @@ impl System {
             }
             self.elements.push(Element { unknowns, span });
         }
-        let vibration = elements.into_iter().map(|element| element.vibration);
+        let vibration = elements.iter().map(|element| element.vibration);
         self.vibration = vibration.collect();
     }
 
@@ -138,22 +184,7 @@ impl System {
         if !by.acts() {
             return;
         }
-        let mut stretch = Stretch {
-            unknowns: [0; UNKNOWNS],
-            factors: [0.0; UNKNOWNS],
-            terms: 0,
-            by: by.clone(),
-        };
-        for (unknown, factor) in unknowns.iter().zip(factors) {
-            if let Some(unknown) = *unknown
-                && *factor != 0.0
-            {
-                stretch.unknowns[stretch.terms] = unknown.number;
-                stretch.factors[stretch.terms] = *factor * unknown.factor;
-                stretch.terms += 1;
-            }
-        }
-        self.stretches.push(stretch);
+        self.stretches.push(Stretch::new(unknowns, factors, by));
     }
 
     /// Springs, dampers and inertias of the supports, over a motion and the twist.
@@ -222,7 +253,37 @@ impl System {
     }
 }
 
+/// The element of each span.
+fn elements(layout: &Layout, divisions: &[usize]) -> Vec<BeamElement> {
+    let ends = layout.positions.windows(2);
+    let lengths = ends
+        .zip(divisions)
+        .map(|(ends, &count)| (ends[1] - ends[0]) / count as f64);
+    let of = |(part, h)| BeamElement::new(part, h);
+    layout.parts.iter().zip(lengths).map(of).collect()
+}
+
 impl Stretch {
+    /// A stretch of at most twelve unknowns; fixed ones do not move.
+    fn new(unknowns: &[Unknown], factors: &[f64], by: &Spring) -> Self {
+        let mut stretch = Self {
+            unknowns: [0; UNKNOWNS],
+            factors: [0.0; UNKNOWNS],
+            terms: 0,
+            by: by.clone(),
+        };
+        for (unknown, factor) in unknowns.iter().zip(factors) {
+            if let Some(unknown) = *unknown
+                && *factor != 0.0
+            {
+                stretch.unknowns[stretch.terms] = unknown.number;
+                stretch.factors[stretch.terms] = *factor * unknown.factor;
+                stretch.terms += 1;
+            }
+        }
+        stretch
+    }
+
     /// The unknowns and their factors.
     pub(super) fn pairs(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let unknowns = self.unknowns.iter().zip(self.factors);
@@ -281,34 +342,168 @@ fn loads(layout: &Layout, mesh: &Mesh) -> Vec<Complex64> {
     out
 }
 
-fn source(layout: &Layout, mesh: &Mesh, reading: Reading) -> Source {
-    let sum = |terms: &[(Unknown, f64)]| {
-        let moving = terms.iter().filter_map(|(unknown, share)| {
-            unknown.map(|of| Dof {
-                factor: of.factor * share,
-                ..of
-            })
-        });
-        moving.collect()
-    };
-    match reading {
-        Reading::Held => Source::Motion(Vec::new(), Measure::Displacement),
-        Reading::Energy => Source::Energy,
-        Reading::Beam(place, direction, arm, measure) => {
-            let node = &mesh.nodes[mesh.places[place]];
-            let row = direction as usize;
-            let sides = if direction == BeamMotion::PsiSlope && !layout.warps(place) {
-                [node.of_left_element, node.of_right_element]
-            } else {
-                [node.acted_on; 2]
-            };
-            let twist = node.acted_on[BeamMotion::Psi as usize];
-            let terms = [(sides[0][row], 0.5), (sides[1][row], 0.5), (twist, arm)];
-            Source::Motion(sum(&terms), measure)
+/// A layout with its mesh and the element of each span.
+struct Meshed<'a> {
+    layout: &'a Layout<'a>,
+    mesh: &'a Mesh,
+    elements: &'a [BeamElement],
+}
+
+impl Meshed<'_> {
+    fn source(&self, reading: Reading) -> Source {
+        let (layout, mesh) = (self.layout, self.mesh);
+        let sum = |terms: &[(Unknown, f64)]| {
+            let moving = terms.iter().filter_map(|(unknown, share)| {
+                unknown.map(|of| Dof {
+                    factor: of.factor * share,
+                    ..of
+                })
+            });
+            moving.collect()
+        };
+        match reading {
+            Reading::Energy => Source::Energy,
+            Reading::Beam(place, direction, arm, measure) => {
+                let node = &mesh.nodes[mesh.places[place]];
+                let row = direction as usize;
+                let sides = if direction == BeamMotion::PsiSlope && !layout.warps(place) {
+                    [node.of_left_element, node.of_right_element]
+                } else {
+                    [node.acted_on; 2]
+                };
+                let twist = node.acted_on[BeamMotion::Psi as usize];
+                let terms = [(sides[0][row], 0.5), (sides[1][row], 0.5), (twist, arm)];
+                Source::Motion(sum(&terms), measure)
+            }
+            Reading::Mass(mass, direction, measure) => {
+                let unknown = mesh.masses[mass][direction as usize];
+                Source::Motion(sum(&[(unknown, 1.0)]), measure)
+            }
+            Reading::Spring(mass, name, measure) => {
+                let unknowns = self.unknowns_of(mass);
+                let (spring, stretch) = springs(layout.masses[mass].subsystem)[name as usize];
+                // The stretch of the elements is that of the mass's end less the beam's.
+                match measure {
+                    SpringMeasure::Stretch => {
+                        let terms = std::array::from_fn::<_, 6, _>(|i| (unknowns[i], -stretch[i]));
+                        Source::Motion(sum(&terms), Measure::Displacement)
+                    }
+                    SpringMeasure::Force => {
+                        let mut force = Force::default();
+                        force.pull(-1.0, &unknowns, &stretch, spring);
+                        Source::Force(force)
+                    }
+                }
+            }
+            Reading::Force(place, motion) => Source::Force(self.internal_force(place, motion)),
+            Reading::Reaction(index, motion) => Source::Force(self.reaction(index, motion)),
         }
-        Reading::Mass(mass, direction, measure) => {
-            let unknown = mesh.masses[mass][direction as usize];
-            Source::Motion(sum(&[(unknown, 1.0)]), measure)
+    }
+
+    /// The unknowns of a mass and of the beam at it: (y, z, theta | w, psi, v).
+    fn unknowns_of(&self, mass: usize) -> [Unknown; 6] {
+        let numbers = &self.mesh.masses[mass];
+        let place = self.layout.masses[mass].place;
+        let node = &self.mesh.nodes[self.mesh.places[place]].acted_on;
+        [
+            numbers[0], numbers[1], numbers[2], node[0], node[1], node[2],
+        ]
+    }
+
+    /// Adds a factor of the force of an element along a motion of one of its ends, 0 left and 1 right.
+    fn add_element(
+        &self,
+        force: &mut Force,
+        factor: f64,
+        index: usize,
+        end: usize,
+        of: BeamMotion,
+    ) {
+        let element = &self.elements[self.mesh.spans[index]];
+        let row = of as usize;
+        let along = 4 * (row % 3) + 2 * end + row / 3;
+        force.of_element(factor, (element, &unknowns(self.mesh, index)), along);
+    }
+
+    /// By the element right of a position; at the right end by the one left of it.
+    fn internal_force(&self, place: usize, motion: BeamMotion) -> Force {
+        let mut force = Force::default();
+        let last = self.mesh.spans.len();
+        let node = self.mesh.places[place];
+        let (index, end, sign) = if node == last {
+            (last - 1, 1, 1.0)
+        } else {
+            (node, 0, -1.0)
+        };
+        let warps = self.layout.parts[self.mesh.spans[index]].warps();
+        if warps || motion != BeamMotion::PsiSlope {
+            self.add_element(&mut force, sign, index, end, motion);
+        }
+        force
+    }
+
+    /// By the spring and damper; of a fixed motion what all else puts on the node.
+    fn reaction(&self, index: usize, motion: BeamMotion) -> Force {
+        let mut force = Force::default();
+        let (place, support) = &self.layout.supports[index];
+        let arm = support.point.arm(motion).unwrap_or_default();
+        match &support[motion] {
+            Restraint::Free => {}
+            Restraint::Elastic(elastic) => {
+                let node = &self.mesh.nodes[self.mesh.places[*place]].acted_on;
+                let moved = [node[motion as usize], node[BeamMotion::Psi as usize]];
+                force.pull(1.0, &moved, &[1.0, arm], &elastic.spring);
+            }
+            Restraint::Fixed if motion == BeamMotion::PsiSlope && !self.layout.warps(*place) => {}
+            Restraint::Fixed => {
+                self.add_rest(&mut force, 1.0, index, motion);
+                if motion == BeamMotion::Psi {
+                    // About the point.
+                    self.add_rest(&mut force, -support.point.z, index, BeamMotion::W);
+                    self.add_rest(&mut force, support.point.y, index, BeamMotion::V);
+                }
+            }
+        }
+        force
+    }
+
+    /// Adds a factor of what everything at the place of a support but itself puts on the node along a motion of the axis.
+    fn add_rest(&self, force: &mut Force, factor: f64, index: usize, motion: BeamMotion) {
+        let layout = self.layout;
+        let place = layout.supports[index].0;
+        let node = self.mesh.places[place];
+        force.load += factor * layout.loads[place][motion as usize];
+        if node > 0 {
+            self.add_element(force, -factor, node - 1, 1, motion);
+        }
+        if node < self.mesh.spans.len() {
+            self.add_element(force, -factor, node, 0, motion);
+        }
+        let here = layout.masses.iter().enumerate();
+        for (mass, of) in here.filter(|(_, of)| of.place == place && (motion as usize) < 3) {
+            for (spring, stretch) in springs(of.subsystem) {
+                let share = stretch[3 + motion as usize];
+                force.pull(-factor * share, &self.unknowns_of(mass), &stretch, spring);
+            }
+        }
+        let others = layout.supports.iter().enumerate();
+        let others = others.filter(|(other, (own, _))| *own == place && *other != index);
+        for (_, (_, support)) in others {
+            for own in BeamMotion::ALL {
+                let arm = support.point.arm(own).unwrap_or_default();
+                let share = match motion {
+                    _ if own == motion => 1.0,
+                    BeamMotion::Psi => arm,
+                    _ => 0.0,
+                };
+                let elastic = support[own].elastic();
+                let unknowns = &self.mesh.nodes[node].acted_on;
+                let moved = [unknowns[own as usize], unknowns[BeamMotion::Psi as usize]];
+                force.pull(-factor * share, &moved, &[1.0, arm], &elastic.spring);
+                let inertia = -factor * share * elastic.inertia;
+                force.push(inertia, moved[0]);
+                force.push(inertia * arm, moved[1]);
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::assembly::{Source, System, dynamic_stiffness};
+use super::assembly::{Force, Source, System, dynamic_stiffness};
 use super::band::Band;
 use super::mesh::Unknown;
 use super::twofold::Twofold;
@@ -88,6 +88,21 @@ impl Workspace {
     }
 }
 
+impl Twofold {
+    /// A sum of forces.
+    fn force(&self, force: &Force, omega: f64) -> Complex64 {
+        let pulled = force.stretches.iter().map(|(factor, stretch)| {
+            let terms = stretch.terms;
+            let stretched = self.dot(&stretch.factors[..terms], &stretch.unknowns[..terms]);
+            *factor * dynamic_stiffness(&stretch.by, omega) * stretched
+        });
+        let inertias = force.inertias.iter();
+        let inertias = inertias.map(|of| self.high[of.number] * of.factor);
+        let inertia = inertias.sum::<Complex64>() * (omega * omega);
+        force.load + pulled.sum::<Complex64>() - inertia
+    }
+}
+
 impl System {
     /// Writes every response at `frequency` (Hz, > 0) to `out`.
     pub(super) fn solve(&self, work: &mut Workspace, frequency: f64, out: &mut [Complex64]) {
@@ -96,13 +111,14 @@ impl System {
         work.solve(self, omega);
         let x = &work.solution.high;
         for (value, source) in out.iter_mut().zip(&self.sources) {
-            *value = match source {
+            *value = source.value(|source| match source {
                 Source::Motion(terms, measure) => {
                     let moved = terms.iter().map(|of| x[of.number] * of.factor);
                     derivative(omega, *measure) * moved.sum::<Complex64>()
                 }
+                Source::Force(force) => work.solution.force(force, omega),
                 Source::Energy => self.energy(x).into(),
-            };
+            });
         }
     }
 

@@ -96,19 +96,18 @@ impl<A: Arithmetic> Actions<A> {
         }
         actions
     }
+}
 
-    /// What they send out.
+impl Acting<'_> {
+    /// What actions send out.
     #[inline(always)]
-    pub(super) fn sent(
-        &self,
+    pub(super) fn sent<A: Arithmetic>(
+        self,
         waves: &Waves<A>,
-        acting: Acting<'_>,
-        b: &Amplitudes<A>,
-        is_forced: bool,
+        mut actions: [Complex<A>; MOTIONS],
     ) -> Jumps<A> {
-        let mut actions = self.part(b, is_forced);
-        match acting {
-            Acting::Support(held) => {
+        match self {
+            Self::Support(held) => {
                 let point = held.support.point;
                 let [w, psi, v] =
                     [BeamMotion::W, BeamMotion::Psi, BeamMotion::V].map(|of| of as usize);
@@ -117,12 +116,10 @@ impl<A: Arithmetic> Actions<A> {
                     .plus_scaled(Real::splat(-point.y), actions[v]);
                 Jumps::of_forces(waves, &actions)
             }
-            Acting::Joint(_) => Jumps::of_motions(waves, &actions),
+            Self::Joint(_) => Jumps::of_motions(waves, &actions),
         }
     }
-}
 
-impl Acting<'_> {
     /// Whether what it observes along a motion is odd in both directions.
     #[inline(always)]
     const fn is_odd(self, motion: usize) -> bool {
@@ -165,7 +162,6 @@ impl Acting<'_> {
         match self {
             Self::Support(held) => {
                 let (stiffness, _, load) = restraint(waves.omega, held, motion);
-                let load = Complex::splat(load);
                 // Without warping stiffness none acts on the rate of twist.
                 let idle = waves.without_warping && motion == BeamMotion::PsiSlope;
                 match held.support[motion] {

@@ -70,7 +70,7 @@ impl<A: Arithmetic> Room<A> {
                     let beyond = prepared.waves_of(&all, index + 1);
                     at.cross([waves, beyond], &mut actions, Some(&mut product));
                 }
-                Event::Load(_) | Event::Probe => {}
+                Event::Load(_) | Event::Gap(_) | Event::Probe => {}
             }
         }
         at.propagate(&this.decays[plan.last_span()]);

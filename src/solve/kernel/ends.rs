@@ -1,7 +1,5 @@
 //! The two ends of the beam at several frequencies at once: their supports and loads as equations of the waves.
 
-use num_complex::Complex64;
-
 use super::complex::{Complex, Matrix};
 use super::linear::{solve, solve_with_determinant, solve_with_margin};
 use super::number::{Arithmetic, Real, part};
@@ -9,6 +7,7 @@ use super::product::ScaledProduct;
 use super::reflection::{Amplitudes, Reflection, Side, entry, reach};
 use super::waves::Waves;
 use crate::model::{BeamMotion, Point, Restraint};
+use crate::solve::linear::ZERO;
 use crate::solve::plan::Held;
 
 /// Below a margin of the last system of so many roundings its solution is only rounding: the model has no damping and is
@@ -92,7 +91,7 @@ impl<A: Arithmetic> EndRow<A> {
             this.of_arriving[k] = this.of_arriving[k].scaled(by);
         }
         let is_turned = is_slope && side == Side::Right;
-        this.load = Complex::splat(if is_turned { -load } else { load }).scaled(by);
+        this.load = if is_turned { -load } else { load }.scaled(by);
         this.scale = by;
     }
 }
@@ -123,22 +122,29 @@ impl<A: Arithmetic> Waves<A> {
 /// Index of psi among (w, psi, v).
 const PSI: usize = BeamMotion::Psi as usize;
 
-/// The dynamic stiffness of a motion of a support, the factor (1 or 0) of the internal force, and the load.
+/// The dynamic stiffness of a motion of a support, the factor (1 or 0) of the internal force, and the load with the pull of
+/// ground that moves; of a fixed motion that of the ground.
 #[inline(always)]
 pub(super) fn restraint<A: Arithmetic>(
     omega: Complex<A>,
     end: &Held,
     motion: BeamMotion,
-) -> (Complex<A>, Real<A>, Complex64) {
-    let load = end.loads_at_point()[motion as usize];
+) -> (Complex<A>, Real<A>, Complex<A>) {
+    let load = Complex::splat(end.loads_at_point()[motion as usize]);
+    let ground = end.ground[motion as usize];
     match &end.support[motion] {
-        // A fixed motion is zero under any load.
-        Restraint::Fixed => (Complex::ONE, Real::ZERO, Complex64::ZERO),
+        // A fixed motion is that of the ground under any load.
+        Restraint::Fixed => (Complex::ONE, Real::ZERO, Complex::splat(ground)),
         Restraint::Free => (Complex::ZERO, Real::ONE, load),
         Restraint::Elastic(elastic) => {
             let inertia = (omega * omega).scaled(Real::splat(elastic.inertia));
             let spring = omega.dynamic_stiffness(&elastic.spring);
-            (spring - inertia, Real::ONE, load)
+            let pull = if ground == ZERO {
+                load
+            } else {
+                load.plus_product(spring, Complex::splat(ground))
+            };
+            (spring - inertia, Real::ONE, pull)
         }
     }
 }

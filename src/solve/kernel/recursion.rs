@@ -11,12 +11,12 @@ use super::ends::{reflection, right_end};
 use super::energy::{Form, Sum, Weights, weights};
 use super::low::low_limit;
 use super::number::{Arithmetic, Real, part};
-use super::read::{Part, State};
+use super::read::{Part, State, write_outputs};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
 use super::station::{Forces, Turn, Unknowns, sent, stretches};
 use super::waves::{Constants, Waves};
-use crate::model::BeamMotion;
-use crate::solve::plan::{Event, Output, Plan, SpanKind};
+use crate::solve::output::Read;
+use crate::solve::plan::{Event, Plan, SpanKind};
 
 /// A plan, with the frequency-independent constants of its waves.
 #[derive(Debug)]
@@ -38,18 +38,8 @@ impl Prepared {
     /// With outputs where the plan has them.
     pub(in crate::solve) fn new(plan: Plan) -> Self {
         let mut is_read = vec![false; plan.stations.len()];
-        for output in &plan.outputs {
-            match output {
-                Output::Beam { station, .. } | Output::Mass { station, .. } => {
-                    is_read[*station] = true;
-                }
-                Output::MeanTwistRate { stations, .. } => {
-                    for station in stations {
-                        is_read[*station] = true;
-                    }
-                }
-                Output::Held | Output::Energy => {}
-            }
+        for read in &plan.reads {
+            is_read[read.station] = true;
         }
         Self::reading(plan, is_read)
     }
@@ -71,7 +61,7 @@ impl Prepared {
             constants: plan.beams.iter().map(Constants::new).collect(),
             has_actions: plan.stations.iter().any(|of| match of.event {
                 Event::Support(_) | Event::Joint(_) | Event::Junction(_) => true,
-                Event::Attachment(_) | Event::Load(_) | Event::Probe => false,
+                Event::Attachment(_) | Event::Load(_) | Event::Gap(_) | Event::Probe => false,
             }),
             low_limit: low_limit(&plan),
             plan,
@@ -153,6 +143,8 @@ pub(super) struct Room<A> {
     pub(super) turns: Vec<Turn<A>>,
     /// The solution at each station with outputs.
     pub(super) states: Vec<State<A>>,
+    /// The value of each read.
+    pub(super) values: Vec<Complex<A>>,
 }
 
 impl<A: Arithmetic> Default for Room<A> {
@@ -169,6 +161,7 @@ impl<A: Arithmetic> Default for Room<A> {
             lefts: Vec::new(),
             turns: Vec::new(),
             states: Vec::new(),
+            values: Vec::new(),
         }
     }
 }
@@ -203,45 +196,29 @@ impl<A: Arithmetic> Room<A> {
             let start = (*self.start).clone();
             self.cross_span(prepared, all, (0, &start), &mut b, &mut energy);
         }
-        let energy = energy.resolved();
-        for (value, output) in out.iter_mut().zip(&plan.outputs) {
-            *value = match output {
-                Output::Energy => Complex::from_real(energy),
-                Output::MeanTwistRate { stations, measure } => {
-                    let [before, after] = stations.map(|station| {
-                        let side = Output::Beam {
-                            station,
-                            motion: BeamMotion::PsiSlope,
-                            arm: 0.0,
-                            measure: *measure,
-                        };
-                        self.read(prepared, all, side, Part::Whole)
-                    });
-                    (before + after).scaled(Real::splat(0.5))
-                }
-                output => self.read(prepared, all, *output, Part::Whole),
-            };
+        self.values.clear();
+        for read in &plan.reads {
+            let value = self.read(prepared, all, *read, Part::Whole);
+            self.values.push(value);
         }
+        let omega = prepared.waves_of(all, 0).omega;
+        write_outputs(plan, omega, &self.values, energy.resolved(), out);
     }
 
-    /// A response at a station that the sweep has passed.
+    /// A row at a station that the sweep has passed.
     #[inline(always)]
     pub(super) fn read(
         &self,
         prepared: &Prepared,
         all: &[Waves<A>],
-        output: Output,
+        Read { station, row }: Read,
         part: Part,
     ) -> Complex<A> {
-        let (Output::Beam { station, .. } | Output::Mass { station, .. }) = output else {
-            return Complex::ZERO;
-        };
-        let event = &prepared.plan.stations[station].event;
         let Some(read) = prepared.reads[station] else {
             return Complex::ZERO;
         };
         let waves = prepared.waves_of(all, station);
-        self.states[read].response(event, waves, output, part)
+        self.states[read].row(&prepared.plan, station, waves, row, part)
     }
 
     #[inline(always)]
@@ -357,6 +334,7 @@ impl<A: Arithmetic> Room<A> {
                 }
             }
             Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), side),
+            Event::Gap(gap) => at.load(waves, &Jumps::of_gap(waves, gap), side),
             Event::Probe => {}
         }
     }
@@ -442,17 +420,14 @@ impl<A: Arithmetic> Room<A> {
                 add(b, &sent);
                 sent
             }
-            Event::Support(held) => self.send(index, waves, Acting::Support(held), b),
-            Event::Joint(joined) => self.send(index, waves, Acting::Joint(joined), b),
+            Event::Support(held) => self.send(index, waves, Acting::Support(held), b, read),
+            Event::Joint(joined) => self.send(index, waves, Acting::Joint(joined), b, read),
             Event::Junction(_) => {
                 *b = self.actions[index].part(b, true);
                 [Complex::ZERO; 6]
             }
-            Event::Load(load) => {
-                let jumps = Jumps::of_load(waves, load);
-                add(b, &jumps.sent(Side::Right));
-                jumps.sent(Side::Left)
-            }
+            Event::Load(load) => pass_jumps(&Jumps::of_load(waves, load), b),
+            Event::Gap(gap) => pass_jumps(&Jumps::of_gap(waves, gap), b),
             Event::Probe => [Complex::ZERO; 6],
         }
     }
@@ -460,15 +435,18 @@ impl<A: Arithmetic> Room<A> {
     /// The same over a support or joint.
     #[inline(always)]
     fn send(
-        &self,
+        &mut self,
         index: usize,
         waves: &Waves<A>,
         acting: Acting<'_>,
         b: &mut Amplitudes<A>,
+        read: Option<usize>,
     ) -> Amplitudes<A> {
-        let jumps = self.actions[index].sent(waves, acting, b, true);
-        add(b, &jumps.sent(Side::Right));
-        jumps.sent(Side::Left)
+        let actions = self.actions[index].part(b, true);
+        if let Some(read) = read {
+            self.states[read].actions = actions;
+        }
+        pass_jumps(&acting.sent(waves, actions), b)
     }
 
     /// Moves b' to the left over the span before a station; `start` is the reflection at the other end of the span.
@@ -505,6 +483,13 @@ impl<A: Arithmetic> Room<A> {
         times(&mut amplitudes, &waves.radiation);
         self.forms[span].of(a, &amplitudes, energy);
     }
+}
+
+/// Adds to b' what jumps send to the left; returns what they send to the right.
+#[inline(always)]
+fn pass_jumps<A: Arithmetic>(jumps: &Jumps<A>, b: &mut Amplitudes<A>) -> Amplitudes<A> {
+    add(b, &jumps.sent(Side::Right));
+    jumps.sent(Side::Left)
 }
 
 /// exp(-kappa l); 1 over the length 0, also for the wave that decays at once.

@@ -149,7 +149,13 @@ impl<A: Arithmetic> Jumps<A> {
         Self::of_forces(waves, &load.map(Complex::splat))
     }
 
-    /// The same for forces that differ between the frequencies.
+    /// The jumps of a gap.
+    #[inline(always)]
+    pub(super) fn of_gap(waves: &Waves<A>, gap: &[num_complex::Complex64; 6]) -> Self {
+        Self::of_motions(waves, &gap.map(Complex::splat))
+    }
+
+    /// The jumps of forces that differ between the frequencies.
     pub(super) fn of_forces(waves: &Waves<A>, forces: &Amplitudes<A>) -> Self {
         if waves.all_coupled {
             A::outlined(OfForces::<A, true>((waves, forces)))

@@ -106,7 +106,14 @@ impl<A: Arithmetic> Whole<A> {
             a: plain(a),
             b: plain(b),
         });
+        let reads = prepared.plan.reads.iter();
+        let reads = reads.map(|read| {
+            self.room
+                .read(prepared, &self.all, *read, Part::Whole)
+                .lane(0)
+        });
         Solution {
+            reads: reads.collect(),
             waves: self.all.iter().map(Waves::plain).collect(),
             decays: self.room.decays.iter().map(plain).collect(),
             spans: spans.collect(),
@@ -199,6 +206,7 @@ impl<A: Arithmetic> Whole<A> {
                 | Event::Joint(_)
                 | Event::Junction(_)
                 | Event::Load(_)
+                | Event::Gap(_)
                 | Event::Probe => MassSolution::default(),
             });
         masses.collect()

@@ -201,6 +201,7 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
             enabled: true,
             quantity: Quantity::Energy,
             point: crate::model::Point::AXIS,
+            over: None,
         });
     }
     for _ in 0..random.usize(0..3) {
@@ -215,6 +216,7 @@ fn add_response(model: &mut Model, target: Target, random: &mut fastrand::Rng) {
         enabled: true,
         point: random_point(&target, random),
         quantity: Quantity::Motion(target, Measure::ALL[random.usize(0..3)]),
+        over: None,
     });
 }
 

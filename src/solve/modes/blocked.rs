@@ -59,7 +59,7 @@ pub(super) fn poles(plan: &Plan) -> Vec<Complex64> {
                 let motions = BeamMotion::ALL.into_iter();
                 springs.extend(motions.filter_map(|motion| joined.spring(motion).cloned()));
             }
-            Event::Junction(_) | Event::Load(_) | Event::Probe => {}
+            Event::Junction(_) | Event::Load(_) | Event::Gap(_) | Event::Probe => {}
         }
     }
     springs

@@ -21,7 +21,8 @@ use crate::model::{
 };
 use crate::solve::beam_matrices::Symmetric;
 use crate::solve::kernel::{Prepared, Solver, waves};
-use crate::solve::plan::{Output, Plan};
+use crate::solve::output::{Read, Row};
+use crate::solve::plan::Plan;
 use crate::solve::quadrature::{Node, nodes};
 use crate::solve::waves::BeamConstants;
 
@@ -384,16 +385,14 @@ fn lefts_of_joints(model: &Model) -> usize {
 }
 
 /// The motions just left of each joint, where no response is read.
-fn left_of_joints(plan: &Plan, model: &Model) -> Vec<Output> {
-    let output = |(station, _)| {
-        BeamMotion::ALL.map(|motion| Output::Beam {
+fn left_of_joints(plan: &Plan, model: &Model) -> Vec<Read> {
+    let reads = |(station, _)| {
+        BeamMotion::ALL.map(|motion| Read {
             station,
-            motion,
-            arm: 0.0,
-            measure: Measure::Displacement,
+            row: Row::Motion(motion, 0.0),
         })
     };
-    plan.joined(model).flat_map(output).collect()
+    plan.joined(model).flat_map(reads).collect()
 }
 
 /// Integrals along the circle, over 2 pi i, of the responses, of the motions left of the joints and of the motions at the
@@ -413,7 +412,8 @@ fn integrals(
         responses: responses.iter().cloned().chain(own).collect(),
         ..model.clone()
     });
-    let lefts = left_of_joints(&plan, model);
+    let lefts = left_of_joints(&plan, model).into_iter();
+    let lefts: Vec<_> = lefts.map(|read| plan.output_of(read)).collect();
     plan.outputs.splice(responses.len()..responses.len(), lefts);
     let prepared = Prepared::new(plan);
     let directions: Vec<Complex64> = circle.directions().collect();
@@ -443,5 +443,6 @@ fn response(target: Target, point: Point) -> Response {
         enabled: true,
         quantity: Quantity::Motion(target, Measure::Displacement),
         point,
+        over: None,
     }
 }

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use num_complex::Complex64;
 
 use super::Differentiator;
-use crate::model::{Checked, Group, ParameterId, Quantity, Response};
+use crate::model::{Checked, Group, ParameterId, Response};
 use crate::solve::modes::Modes;
 use crate::solve::{Cancelled, Reference};
 
@@ -92,8 +92,8 @@ fn slopes(
     cancel: &AtomicBool,
 ) -> Result<Slopes, Cancelled> {
     // An energy has ten decibels per decade, like a mean square.
-    let decibels = |response: usize| match enabled(model, response).map(|one| &one.quantity) {
-        Some(Quantity::Energy) => 10.0 / LN_10,
+    let decibels = |response: usize| match enabled(model, response) {
+        Some(one) if one.quantity.is_quadratic() => 10.0 / LN_10,
         _ => 20.0 / LN_10,
     };
     Ok(match figure {

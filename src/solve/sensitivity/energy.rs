@@ -17,6 +17,7 @@ use super::{Differentiator, Gradient, forces};
 use crate::model::schema::{BeamKey, JointKey, MaterialKey, SectionKey, SpanKey};
 use crate::model::{Beam, BeamNumber, Group, Model, ParameterId, UniformPart};
 use crate::solve::beam_matrices::{Across, Symmetric};
+use crate::solve::beam_state::BeamState;
 use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
@@ -60,14 +61,17 @@ impl Differentiator {
         );
         let u_field = Field::new(&setting, &u);
         let spans = Spans::new(&plan, &lambda);
+        let held = BeamState {
+            force: forces::held(&self.forces),
+            ..BeamState::ZERO
+        };
         let product = Product {
             setting,
             lambda: &lambda_field,
             u: &u_field,
             overlaps: spans.overlaps(&plan, &lambda.waves, [&lambda.spans, &u.spans]),
         };
-        let mut by_parameter =
-            product.by_parameter(self.ids(), [&[ZERO; 6], &forces::held(&self.forces)]);
+        let mut by_parameter = product.by_parameter(self.ids(), [&BeamState::ZERO, &held]);
         let reader = Reader::new(lambda_plan, &lambda);
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(lambda_plan, &lambda_field, &reader));
@@ -124,6 +128,7 @@ fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
         decays,
         spans,
         masses,
+        reads: Vec::new(),
     }
 }
 

@@ -2,7 +2,8 @@
 
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, Model, Restraint, Subsystem};
+use super::adjoint::Pulled;
+use crate::model::{BeamMotion, Model, Restraint, SpringMeasure, Subsystem};
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Held, Plan, Station};
@@ -45,6 +46,8 @@ pub(super) struct Field {
 pub(super) struct SupportField {
     /// The six motions of its point.
     pub(super) motion: [Complex64; 6],
+    /// The same relative to the ground.
+    pub(super) stretch: [Complex64; 6],
     /// The change of these motions with the position of the support, per m.
     pub(super) along: [Complex64; 6],
     /// The twist psi of the beam there.
@@ -147,6 +150,56 @@ impl Field {
             kinks: Kinks::new(setting, &reader),
             junctions: junctions(setting.plan, &reader),
             edge,
+        }
+    }
+
+    /// Multiplies the field by a factor.
+    pub(super) fn scale(&mut self, by: Complex64) {
+        let times = |values: &mut [Complex64]| values.iter_mut().for_each(|value| *value *= by);
+        for of in &mut self.supports {
+            times(&mut of.motion);
+            times(&mut of.stretch);
+            times(&mut of.along);
+            times(&mut of.forces);
+            of.twist *= by;
+        }
+        for of in &mut self.joints {
+            times(of.sides.as_flattened_mut());
+            times(&mut of.jumps);
+            times(&mut of.changes);
+        }
+        times(self.ends.as_flattened_mut());
+        for state in self.junctions.as_flattened_mut() {
+            state.scale(by);
+        }
+        self.edge.scale(by);
+        for (_, torque) in self.kinks.jumps.iter_mut().chain(&mut self.kinks.held) {
+            *torque *= by;
+        }
+        for of in &mut self.masses {
+            times(&mut of.motion);
+            times(&mut of.slope);
+            times(&mut of.stretches);
+            times(&mut of.forces);
+            of.twist *= by;
+        }
+    }
+
+    /// Adds to the field of a force between the ends of a spring that force itself and, if the field is that of a stretch of the
+    /// spring alone, the stretch, of the mass's end relative to the beam's.
+    pub(super) fn strain(&mut self, setting: &Setting<'_>, of: &Pulled, force: Complex64) {
+        let beam = setting.plan.beam(setting.masses[of.mass]);
+        let mass = &mut self.masses[of.mass];
+        if has_kinks(beam) {
+            let beside = of.beside.map(|share| share * force);
+            let slopes = beam.matrices.slopes([ZERO; 3], beside);
+            for (slope, change) in mass.slope.iter_mut().zip(slopes) {
+                *slope += change;
+            }
+        }
+        mass.forces[of.spring as usize] += force;
+        if of.measure == SpringMeasure::Force {
+            mass.stretches[of.spring as usize] += 1.0;
         }
     }
 }
@@ -272,9 +325,11 @@ fn support(
     let point = held.support.point;
     let axis = held.held(axis);
     let sides = [&before.force, &after.force];
+    let motion = point.motions(&axis);
     SupportField {
         forces: held.forces(setting.omega, sides, &axis),
-        motion: point.motions(&axis),
+        stretch: std::array::from_fn(|row| motion[row] - held.ground[row]),
+        motion,
         along: point.motions(&slopes),
         twist: axis[BeamMotion::Psi as usize],
         without_warping: held.without_warping,
@@ -333,7 +388,7 @@ fn mass(
     let springs = subsystem.springs();
     let beam = setting.plan.beam(station);
     let mut slope = [local.motion[3], local.motion[4], local.motion[5]];
-    if beam.without_warping() || beam.matrices.has_shear() {
+    if has_kinks(beam) {
         slope = beam
             .matrices
             .slopes(slope, mean_forces(setting, reader, station));
@@ -347,6 +402,11 @@ fn mass(
         }),
         stretches,
     }
+}
+
+/// Whether a force or a torque makes a slope jump.
+fn has_kinks(beam: &BeamConstants) -> bool {
+    beam.without_warping() || beam.matrices.has_shear()
 }
 
 /// The mean of the internal forces `S_w`, T, `S_v` on both sides of all stations at the position of a station.

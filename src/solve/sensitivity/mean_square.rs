@@ -67,8 +67,11 @@ impl Differentiator {
     /// The model with only one of its enabled responses, by its index.
     fn alone(&self, response: usize) -> Checked {
         self.model.derived(|model| {
-            let enabled = model.responses.iter().filter(|of| of.enabled);
-            model.responses = enabled.skip(response).take(1).cloned().collect();
+            // One that divides it may stay.
+            let enabled = model.responses.iter_mut().filter(|of| of.enabled);
+            for (index, of) in enabled.enumerate() {
+                of.enabled = index == response;
+            }
         })
     }
 

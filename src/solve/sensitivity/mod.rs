@@ -23,8 +23,10 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use super::beam_state::BeamState;
 use super::kernel::Prepared;
 use super::linear::ZERO;
+use super::output::{Read, Row, Sum};
 use super::plan::Plan;
 use super::solution::Solution;
 use crate::model::schema::Kind;
@@ -33,7 +35,7 @@ use crate::model::{
 };
 pub use effect::{Figure, Sensitivity, effects};
 
-use adjoint::{Adjoint, Motion, Reading, factor};
+use adjoint::{Adjoint, Influence, Part, factor};
 use field::{Field, Reader, Setting};
 use forces::Force;
 pub use mean_square::MeanSquareGradient;
@@ -144,29 +146,31 @@ impl Differentiator {
 
     fn gradient(&self, forced: &Forced<'_>, adjoint: &Adjoint) -> Gradient {
         match adjoint {
-            Adjoint::Motion(motion) => self.of_motion(forced, motion),
-            Adjoint::Held(response) => self.of_held(forced, *response),
+            Adjoint::Sum(sum, None) => self.of_part(forced, sum),
+            Adjoint::Sum(sum, Some(over)) => {
+                let [sum, over] = [sum, over].map(|part| self.of_part(forced, part));
+                sum.over(&over)
+            }
             Adjoint::Energy => self.of_energy(forced.setting.omega.re),
+        }
+    }
+
+    fn of_part(&self, forced: &Forced<'_>, part: &Part) -> Gradient {
+        match part {
+            Part::Sum(influence) => self.of_sum(forced, influence),
+            Part::Held(response) => self.of_held(forced, *response),
         }
     }
 
     /// The derivatives of a motion that a support fixes: it depends only on the two points of the section, that of the
     /// response and that of the support, between which the twist has an arm.
-    fn of_held(&self, forced: &Forced<'_>, response: usize) -> Gradient {
+    fn of_held(&self, forced: &Forced<'_>, index: usize) -> Gradient {
         let mut gradient = Gradient {
             value: ZERO,
             by_frequency: ZERO,
             by_parameter: vec![ZERO; self.ids().len()],
         };
-        let mut enabled = self
-            .model
-            .responses
-            .iter()
-            .enumerate()
-            .filter(|(_, of)| of.enabled);
-        let Some((index, response)) = enabled.nth(response) else {
-            return gradient;
-        };
+        let response = &self.model.responses[index];
         let Quantity::Motion(Target::Beam(place, motion), measure) = &response.quantity else {
             return gradient;
         };
@@ -201,13 +205,21 @@ impl Differentiator {
         gradient
     }
 
-    fn of_motion(&self, forced: &Forced<'_>, motion: &Motion) -> Gradient {
+    fn of_sum(&self, forced: &Forced<'_>, influence: &Influence) -> Gradient {
         let setting = Setting {
-            plan: &motion.prepared.plan,
+            plan: &influence.prepared.plan,
             ..forced.setting
         };
-        let solution = motion.prepared.solution(setting.omega);
-        let lambda = Field::new(&setting, &solution);
+        let mut solution = influence.prepared.solution(setting.omega);
+        let mut edge = influence.edge.clone();
+        let mut lambda = Field::new(&setting, &solution);
+        if let Some(spring) = &influence.spring {
+            let pull = spring.pull(setting);
+            solution.scale(pull);
+            edge.scale(pull);
+            lambda.scale(pull);
+            lambda.strain(&setting, spring, pull);
+        }
         let spans = [&solution.spans[..], &forced.solution.spans];
         let product = Product {
             setting,
@@ -217,76 +229,90 @@ impl Differentiator {
                 .spans
                 .overlaps(&self.prepared.plan, &solution.waves, spans),
         };
-        let mut by_parameter =
-            product.by_parameter(self.ids(), [&motion.held, &forces::held(&self.forces)]);
+        let held = BeamState {
+            force: forces::held(&self.forces),
+            ..BeamState::ZERO
+        };
+        let mut by_parameter = product.by_parameter(self.ids(), [&edge, &held]);
         let reader = Reader::new(setting.plan, &solution);
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
         }
-        by_parameter.extend(self.by_points(forced, Some(motion)));
-        let [times, growth] = factor(motion.measure, setting.omega);
+        by_parameter.extend(self.by_points(forced, influence));
         let mut by_frequency = product.by_omega();
-        let is_unknown = match motion.reading {
-            Reading::Beam(station, BeamMotion::PsiSlope, _)
-            | Reading::MeanTwistRate([station, _]) => setting.plan.beam(station).without_warping(),
-            Reading::Beam(..) | Reading::Mass(..) => false,
+        let is_unknown = |Read { station, row }: Read| {
+            let is_rate = matches!(row, Row::Motion(BeamMotion::PsiSlope, _));
+            is_rate && setting.plan.beam(station).without_warping()
         };
-        if is_unknown {
+        if self.terms(&influence.sum).any(|(_, read)| is_unknown(read)) {
             let unknown = Complex64::new(f64::NAN, f64::NAN);
             by_parameter.fill(unknown);
             by_frequency = unknown;
         }
+        let reads = influence.sum.terms.iter();
+        let reads = reads.map(|(factor, read)| factor * forced.solution.reads[*read]);
+        let value: Complex64 = reads.sum();
+        let [times, growth] = factor(influence.sum.measure, setting.omega);
         for value in &mut by_parameter {
             *value *= times;
         }
-        let moved = self.read(forced, motion.reading);
         Gradient {
-            value: times * moved,
-            by_frequency: TAU * (growth * moved + times * by_frequency),
+            value: times * value,
+            by_frequency: TAU * (growth * value + times * by_frequency),
             by_parameter,
         }
     }
 
-    /// The change of a motion by the points of all responses, in the order of the rows: it depends on its own point only.
-    fn by_points(&self, forced: &Forced<'_>, motion: Option<&Motion>) -> Vec<Complex64> {
-        let reader = Reader::new(&self.prepared.plan, &forced.solution);
-        let own = motion.map(|motion| (motion.response, motion.reading));
-        let enabled = self
-            .model
-            .responses
-            .iter()
-            .filter(|of| of.enabled)
-            .enumerate();
-        let by = enabled.filter_map(|(index, response)| {
-            let Quantity::Motion(target, _) = &response.quantity else {
-                return None;
-            };
-            let twist = match own {
-                Some((own, Reading::Beam(station, ..))) if own == index => {
-                    reader.end(station).motion[BeamMotion::Psi as usize]
-                }
-                _ => ZERO,
-            };
-            match target {
-                Target::Beam(_, BeamMotion::W) => Some(twist),
-                Target::Beam(_, BeamMotion::V) => Some(-twist),
-                Target::Beam(..) | Target::Mass(..) => None,
-            }
-        });
-        by.collect()
+    /// The reads of a sum with their factors.
+    fn terms(&self, sum: &Sum) -> impl Iterator<Item = (f64, Read)> {
+        let reads = &self.prepared.plan.reads;
+        let terms = sum.terms.iter();
+        terms.map(|(factor, read)| (*factor, reads[*read]))
     }
 
-    /// A motion under the forces of the model.
-    fn read(&self, forced: &Forced<'_>, reading: Reading) -> Complex64 {
+    /// The change of a motion by the points of all responses, in the order of the rows: it depends on its own point only.
+    fn by_points(&self, forced: &Forced<'_>, influence: &Influence) -> Vec<Complex64> {
         let reader = Reader::new(&self.prepared.plan, &forced.solution);
-        let rate = |station: usize| reader.end(station).motion[BeamMotion::PsiSlope as usize];
-        match reading {
-            Reading::Mass(index, motion) => forced.field.masses[index].motion[motion],
-            Reading::Beam(station, motion, arm) => {
-                let moved = reader.end(station).motion;
-                moved[motion as usize] + arm * moved[BeamMotion::Psi as usize]
+        let twist = self.terms(&influence.sum).map(|(factor, read)| {
+            let moved = reader.end(read.station).motion;
+            match read.row {
+                Row::Motion(BeamMotion::W, _) => factor * moved[BeamMotion::Psi as usize],
+                Row::Motion(BeamMotion::V, _) => -factor * moved[BeamMotion::Psi as usize],
+                Row::Motion(..)
+                | Row::Force(_)
+                | Row::Reaction(..)
+                | Row::Mass(_)
+                | Row::Spring(..)
+                | Row::OnFixed(_) => ZERO,
             }
-            Reading::MeanTwistRate([before, after]) => 0.5 * (rate(before) + rate(after)),
+        });
+        let own: Complex64 = twist.sum();
+        let all = self.model.responses.iter().enumerate();
+        let with_point = all.filter(|(_, response)| response.enabled && response.has_point());
+        with_point
+            .map(|(index, _)| {
+                if index == influence.response {
+                    own
+                } else {
+                    ZERO
+                }
+            })
+            .collect()
+    }
+}
+
+impl Gradient {
+    /// That of the ratio to another response.
+    fn over(mut self, divisor: &Self) -> Self {
+        let ratio = self.value / divisor.value;
+        let quotient = |by: Complex64, of: Complex64| (by - ratio * of) / divisor.value;
+        for (by, of) in self.by_parameter.iter_mut().zip(&divisor.by_parameter) {
+            *by = quotient(*by, *of);
+        }
+        Self {
+            value: ratio,
+            by_frequency: quotient(self.by_frequency, divisor.by_frequency),
+            ..self
         }
     }
 }

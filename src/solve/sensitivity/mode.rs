@@ -16,6 +16,7 @@ use super::field::{Field, Setting};
 use super::overlap::Spans;
 use super::product::Product;
 use crate::model::{Force, Model, ParameterId};
+use crate::solve::beam_state::BeamState;
 use crate::solve::kernel::{Prepared, waves};
 use crate::solve::linear::ZERO;
 use crate::solve::modes::{Group, ModeKind, Modes, eigenvalues};
@@ -201,9 +202,8 @@ impl Loaded {
             u: &u,
             overlaps: spans.overlaps(&self.bare, &phi.waves, [&phi.spans, &chi.spans]),
         };
-        let none = [ZERO; 6];
         Form {
-            by_parameter: product.by_parameter(ids, [&none, &none]),
+            by_parameter: product.by_parameter(ids, [&BeamState::ZERO; 2]),
             by_omega: product.by_omega(),
         }
     }

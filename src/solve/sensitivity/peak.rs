@@ -129,7 +129,7 @@ impl Differentiator {
         Solver::default().solve(&self.prepared, &omegas, &mut out);
         columns[response].map(|value| match self.adjoints[response] {
             Adjoint::Energy => value.re,
-            Adjoint::Motion(_) | Adjoint::Held(_) => value.norm_sqr(),
+            Adjoint::Sum(..) => value.norm_sqr(),
         })
     }
 }

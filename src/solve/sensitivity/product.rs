@@ -39,11 +39,12 @@ pub(super) struct Product<'a> {
 
 impl Product<'_> {
     /// `-lambda^T (dD/dp) u` for the parameters `ids` of the beam, its spans, the supports, the joints and the subsystems, in
-    /// their order; `held` are the loads (of lambda and of u) whose position is constant while the right end moves.
+    /// their order; `held` are the jumps (of lambda and of u) between the right end and where the beam grows: those of loads whose
+    /// position is constant while the end moves.
     pub(super) fn by_parameter(
         &self,
         ids: &[ParameterId],
-        held: [&[Complex64; 6]; 2],
+        held: [&BeamState; 2],
     ) -> Vec<Complex64> {
         let parts = self.setting.model.uniform_parts();
         let of_beam = ids.iter().map_while(|id| id.of_beam());
@@ -80,10 +81,10 @@ impl Product<'_> {
         }
         for (id, fields) in self.supports() {
             for motion in BeamMotion::ALL {
-                let product = at_support(fields, motion);
+                let [stretched, moved] = at_support(fields, motion);
                 let elastic = id.support(self.setting.model)[motion].elastic();
-                mass += elastic.inertia * product;
-                damping += elastic.spring.damping_between(here) * product;
+                mass += elastic.inertia * moved;
+                damping += elastic.spring.damping_between(here) * stretched;
             }
         }
         for (joint, [lambda, u]) in self.joints() {
@@ -108,7 +109,7 @@ impl Product<'_> {
         &self,
         parts: &[UniformPart],
         number: BeamNumber,
-        held: [&[Complex64; 6]; 2],
+        held: [&BeamState; 2],
     ) -> Option<Complex64> {
         let of = number.parts(self.setting.model);
         Some(match number {
@@ -168,7 +169,7 @@ impl Product<'_> {
     /// its loads move by the slopes, so `dr/dL = sum (p_u q'_lambda + p_lambda q'_u) - density` over displacements and slopes q
     /// with their internal forces p (Gelfand & Fomin, Calculus of Variations (1963), Section 13). Where two parts meet, the
     /// left one grows by what the right one loses.
-    fn by_length(&self, part: usize, held: [&[Complex64; 6]; 2]) -> Complex64 {
+    fn by_length(&self, part: usize, held: [&BeamState; 2]) -> Complex64 {
         let beam = |index: usize| {
             let overlap = &self.overlaps[index];
             &self.setting.plan.beams[overlap.beam].matrices
@@ -251,8 +252,10 @@ impl Product<'_> {
         let support = id.support(self.setting.model);
         for motion in BeamMotion::ALL {
             if let Restraint::Free | Restraint::Elastic(_) = support[motion] {
-                let product = at_support(fields, motion);
-                all.extend(self.dynamic(&support[motion].elastic().spring, product));
+                let [stretched, moved] = at_support(fields, motion);
+                let [spring @ .., _] = self.dynamic(&support[motion].elastic().spring, stretched);
+                all.extend(spring);
+                all.push(self.setting.omega * self.setting.omega * moved);
             }
         }
         // The force along v moves by -psi with y, that along w by psi with z.
@@ -262,8 +265,8 @@ impl Product<'_> {
         };
         all.extend([-turned(BeamMotion::V), turned(BeamMotion::W)]);
         for motion in BeamMotion::ALL {
-            let product = at_support(fields, motion);
-            all.extend(self.by_branches(&support[motion].elastic().spring, product));
+            let [stretched, _] = at_support(fields, motion);
+            all.extend(self.by_branches(&support[motion].elastic().spring, stretched));
         }
     }
 
@@ -392,20 +395,26 @@ impl MassField {
     }
 }
 
-/// The product of the two fields' motions at a support.
-fn at_support([lambda, u]: [&SupportField; 2], motion: BeamMotion) -> Complex64 {
+/// The products of the two fields' motions at a support, relative to the ground and alone.
+fn at_support([lambda, u]: [&SupportField; 2], motion: BeamMotion) -> [Complex64; 2] {
     // Without warping stiffness any restraint fixes the rate of twist; none has an effect of its own.
     if motion == BeamMotion::PsiSlope && lambda.without_warping {
-        return ZERO;
+        return [ZERO; 2];
     }
-    lambda.motion[motion as usize] * u.motion[motion as usize]
+    let row = motion as usize;
+    [
+        lambda.stretch[row] * u.stretch[row],
+        lambda.motion[row] * u.motion[row],
+    ]
 }
 
-/// The right end just beyond the loads whose position is constant.
-fn beyond(field: &Field, held: &[Complex64; 6]) -> BeamState {
+/// The state where the beam grows, beyond some jumps at the right end.
+fn beyond(field: &Field, held: &BeamState) -> BeamState {
     let mut edge = field.edge.clone();
-    for (force, held) in edge.force.iter_mut().zip(held) {
-        *force -= held;
+    let jumps = held.force.iter().chain(&held.motion);
+    let values = edge.force.iter_mut().chain(&mut edge.motion);
+    for (value, jump) in values.zip(jumps) {
+        *value -= jump;
     }
     edge
 }

@@ -24,7 +24,9 @@ use self::springs::EffectiveSprings;
 use super::Cancelled;
 use super::layout::{Layout, Reading, derivative};
 use super::sweep::{Frf, one_by_one};
-use crate::model::{BeamMotion, Checked, Model, Point, SupportId};
+use crate::model::{
+    BeamMotion, Checked, Model, Point, Quantity, SpringMeasure, SpringName, SupportId,
+};
 
 /// Twelve integration constants, or twelve right-hand sides.
 type Vector = SVector<Complex64, 12>;
@@ -55,6 +57,8 @@ pub enum NotApplicable {
     Spans,
     /// The beam has a joint: Eqs. (36) to (47) join all motions rigidly.
     Joints,
+    /// A response is a reaction: Appendix C eliminates them.
+    Reactions,
 }
 
 impl std::fmt::Display for NotApplicable {
@@ -65,6 +69,7 @@ impl std::fmt::Display for NotApplicable {
             Self::OtherSupports => "it is derived for supports of the two ends, on the axis",
             Self::Spans => "it is derived for a uniform beam, without spans",
             Self::Joints => "it is derived for a beam without joints",
+            Self::Reactions => "its boundary conditions eliminate the reactions of the supports",
             Self::OtherBeam => {
                 "it is derived for a centroid offset along z alone, without product moment, axial force and rotary inertia"
             }
@@ -102,6 +107,12 @@ pub fn sweep(
     }
     if model.beam.section.warping_constant == 0.0 {
         return Err(NotApplicable::NoWarping);
+    }
+    if model
+        .computed()
+        .any(|of| matches!(of.quantity, Quantity::Reaction(_)))
+    {
+        return Err(NotApplicable::Reactions);
     }
     let chain = Chain::new(model);
     Ok(one_by_one(
@@ -182,7 +193,7 @@ impl<'a> Chain<'a> {
         let constants = links.iter().map(|link| link.of_first * first + link.forced);
         solution.constants = constants.collect();
         for (value, reading) in out.iter_mut().zip(&self.layout.readings) {
-            *value = self.read(&solution, *reading);
+            *value = reading.value(|reading| self.read(&solution, *reading));
         }
     }
 
@@ -247,7 +258,6 @@ impl<'a> Chain<'a> {
     fn read(&self, solution: &Solution, reading: Reading) -> Complex64 {
         let omega = solution.omega;
         match reading {
-            Reading::Held => Complex64::ZERO,
             Reading::Energy => energy(self, solution).into(),
             Reading::Beam(place, motion, arm, measure) => {
                 let state = self.state(solution, place);
@@ -255,18 +265,56 @@ impl<'a> Chain<'a> {
                 derivative(omega, measure) * moved
             }
             Reading::Mass(mass, motion, measure) => {
-                let (springs, mass) = (&solution.springs[mass], &self.layout.masses[mass]);
-                let state = self.state(solution, mass.place);
-                let moved = springs.motion(&DISPLACEMENTS.map(|row| state[row]), &mass.load);
-                derivative(omega, measure) * moved[motion as usize]
+                derivative(omega, measure) * self.mass(solution, mass)[motion as usize]
             }
+            Reading::Force(place, motion) => {
+                let x = self.layout.positions[place];
+                // At the right end left of a subsystem there.
+                let segment = if self.layout.end(place).is_some() && place > 0 {
+                    self.starts.partition_point(|&start| start < x) - 1
+                } else {
+                    self.starts.partition_point(|&start| start <= x) - 1
+                };
+                let (row, unit) = conjugate(&solution.shapes, motion);
+                unit * self.state_in(solution, segment, x)[row]
+            }
+            Reading::Spring(mass, name, measure) => {
+                let subsystem = self.layout.masses[mass].subsystem;
+                let [y, z, theta] = self.mass(solution, mass);
+                let state = self.state(solution, self.layout.masses[mass].place);
+                let [w, psi, v] = DISPLACEMENTS.map(|row| state[row]);
+                let (height, half) = (subsystem.mount_z, subsystem.mount_y);
+                let stretch = match name {
+                    SpringName::YLeft | SpringName::YRight => w + height * psi - y,
+                    SpringName::ZLeft => v - half * psi - (z - subsystem.arm_left * theta),
+                    SpringName::ZRight => v + half * psi - (z + subsystem.arm_right * theta),
+                };
+                match measure {
+                    SpringMeasure::Stretch => stretch,
+                    SpringMeasure::Force => solution.springs[mass].stiffness(name) * stretch,
+                }
+            }
+            // Refused before.
+            Reading::Reaction(..) => Complex64::new(f64::NAN, f64::NAN),
         }
+    }
+
+    /// The motions (y, z, theta) of a mass.
+    fn mass(&self, solution: &Solution, mass: usize) -> [Complex64; 3] {
+        let (springs, mass) = (&solution.springs[mass], &self.layout.masses[mass]);
+        let state = self.state(solution, mass.place);
+        springs.motion(&DISPLACEMENTS.map(|row| state[row]), &mass.load)
     }
 
     /// Displacements, slopes and forces at a position: Eq. (49).
     fn state(&self, solution: &Solution, place: usize) -> Vector {
         let x = self.layout.positions[place];
         let segment = self.starts.partition_point(|&start| start <= x) - 1;
+        self.state_in(solution, segment, x)
+    }
+
+    /// The same in a segment.
+    fn state_in(&self, solution: &Solution, segment: usize, x: f64) -> Vector {
         let shapes = &solution.shapes;
         shapes.derivatives(x - self.starts[segment]) * solution.constants[segment]
     }

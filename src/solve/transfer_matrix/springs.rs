@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use crate::model::{MaxwellBranch, Spring, Subsystem};
+use crate::model::{MaxwellBranch, Spring, SpringName, Subsystem};
 
 /// The eight effective springs of Eqs. (1) and (2), and the effect of a load on the mass, at one frequency.
 ///
@@ -61,6 +61,16 @@ impl EffectiveSprings {
             arm_right: right,
             mount_y: s.mount_y,
             mount_z: s.mount_z,
+        }
+    }
+
+    /// k + (rate) c of a spring, N/m.
+    pub(super) const fn stiffness(&self, name: SpringName) -> Complex64 {
+        match name {
+            SpringName::YLeft => self.y_left,
+            SpringName::YRight => self.y_right,
+            SpringName::ZLeft => self.x1,
+            SpringName::ZRight => self.x2,
         }
     }
 

@@ -6,7 +6,6 @@ use super::document::Edit;
 use super::{App, Asked, AskedKind, Overlay, Prompt, Purpose};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
-use crate::model::spelling::segment;
 use crate::model::{Fault, Group, Model, Parameter, ParameterId, path};
 use crate::tui::keys::{ModelCommand, TreeCommand};
 use crate::tui::tree::{self, Node};
@@ -40,9 +39,9 @@ impl App {
         let node = self.selection.node();
         match parameter(&model, node) {
             Some(Ok(parameter)) if !parameter.choices.is_empty() => self.cycle(node, &parameter),
-            Some(Ok(parameter)) if parameter.id.key().kind == Kind::Place => {
-                let places = places(&model);
-                self.cycle_through(node, &parameter, &places);
+            Some(Ok(parameter)) if matches!(parameter.id.key().kind, Kind::Place | Kind::Over) => {
+                let names = edit::names(&model, parameter.id);
+                self.cycle_through(node, &parameter, &names);
             }
             Some(Ok(_)) => self.edit(),
             Some(Err(fault)) => self.refuse(faults_in_words(&[fault], "", "")),
@@ -235,29 +234,6 @@ impl App {
 
 fn parameter(model: &Model, node: Node) -> Option<Result<Parameter, Fault>> {
     Some(path::described(model, node.parameter()?))
-}
-
-/// The possible places of a force or response, except positions: the ends and the attached masses.
-fn places(model: &Model) -> Vec<Value> {
-    // A name with special characters needs quotes.
-    let place = |name: &String| {
-        if segment(name) == *name {
-            name.clone()
-        } else {
-            format!("'{name}'")
-        }
-    };
-    let masses = model
-        .subsystems
-        .iter()
-        .filter(|one| one.enabled)
-        .map(|one| place(&one.name));
-    ["left", "right"]
-        .map(str::to_owned)
-        .into_iter()
-        .chain(masses)
-        .map(Value::Text)
-        .collect()
 }
 
 /// A value as text for editing, with all digits.

@@ -11,7 +11,7 @@ use super::new_item::{
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::{
-    BeamMotion, Checked, Force, Group, Joint, Measure, Model, Place, Point, Quantity, Response,
+    At, BeamMotion, Checked, Force, Group, Joint, Measure, Model, Place, Point, Quantity, Response,
     SupportId, Target,
 };
 use crate::tui::keys::{Command, CompareCommand, TuneCommand};
@@ -65,6 +65,7 @@ impl App {
                     enabled: true,
                     quantity: Quantity::Motion(target, Measure::Displacement),
                     point: Point::AXIS,
+                    over: None,
                 };
                 let name = format!("add response {}", new.name);
                 after.responses.push(new);
@@ -262,10 +263,17 @@ fn group(node: Node) -> Option<Group> {
 /// Names the elements that need an element missing in `after`.
 fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
     let own = match element {
-        Group::Subsystem(i) => mass_user(model, &model.subsystems[i].name),
+        Group::Subsystem(i) => user_of_place(model, At::Subsystem(&model.subsystems[i].name)),
+        Group::Support(SupportId::Inner(i)) => {
+            user_of_place(model, At::Support(&model.supports.inner[i].name))
+        }
         Group::Response(i) => {
-            let tune = model.tune.as_ref()?;
             let name = Some(&model.responses[i].name);
+            let mut responses = model.responses.iter();
+            if let Some(user) = responses.find(|one| one.over.as_ref() == name) {
+                return Some(format!("response {}, which is divided by it", user.name));
+            }
+            let tune = model.tune.as_ref()?;
             let mut objectives = tune.objectives.iter();
             return objectives
                 .any(|one| one.response.as_ref() == name)
@@ -279,9 +287,9 @@ fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
     })
 }
 
-/// Names the force or response on the mass of a subsystem.
-fn mass_user(model: &Model, name: &String) -> Option<String> {
-    let on = |group| matches!(edit::target_of(model, group), Some(Target::Mass(mass, _)) if mass == name);
+/// Names the force or response at a subsystem or support.
+fn user_of_place(model: &Model, at: At<'_>) -> Option<String> {
+    let on = |group| edit::at_of(model, group) == Some(at);
     let force = Group::Forces.groups(model).into_iter().position(on);
     let mut responses = Group::Responses.groups(model).into_iter();
     let response = responses.position(on);

@@ -119,12 +119,12 @@ impl<'a> Builder<'a> {
             [one] => one.clone(),
             more => format!("{} responses", more.len()),
         };
-        let form = display.form.filter(|form| {
+        let form = display.form.and_then(|form| {
             let mut dimensions = curves.shown_traces().filter_map(|trace| trace.dimension);
-            dimensions.any(|dimension| dimension.per.is_some() && dimension.has(*form))
+            dimensions.find_map(|dimension| dimension.name(form))
         });
         let what = match form {
-            Some(form) => format!("{what}, {}", form.name()),
+            Some(form) => format!("{what}, {form}"),
             None if curves.shown_traces().any(|trace| trace.force.is_some()) && display.motion => {
                 format!("{what}, {MOTION}")
             }

@@ -1,7 +1,7 @@
 //! The nodes of the tree.
 
 use crate::model::schema::Kind;
-use crate::model::{Group, Moves, ParameterId, SpringId, SubsystemSpring, SupportId};
+use crate::model::{Group, Moves, ParameterId, SpringId, SpringName, SupportId};
 
 /// A row of the tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -86,7 +86,7 @@ impl Node {
             Group::Link(joint, motion) => Some(SpringId::Joint(joint, motion)),
             Group::Subsystem(index) => {
                 let (word, _) = self.parameter()?.key().key.split_once('.')?;
-                Some(SpringId::Subsystem(index, SubsystemSpring::of_word(word)?))
+                Some(SpringId::Subsystem(index, SpringName::of_word(word)?))
             }
             _ => None,
         }

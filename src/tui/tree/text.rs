@@ -6,9 +6,9 @@ use super::{Node, tuning};
 use crate::model::edit::Value;
 use crate::model::schema::{self, BranchKey, ElasticKey, LinkKey, Wording};
 use crate::model::{
-    BeamMotion, Bedding, Family, Foundation, Group, Link, Model, Parameter, ParameterId, Place,
-    Point, Quantity, Response, Restraint, SpringId, Study, SupportId, Supports, Sweep, Target,
-    Unit, counted, grouped,
+    At, BeamMotion, Bedding, Family, Foundation, Group, Link, Model, Parameter, ParameterId, Place,
+    Point, Response, Restraint, SpringId, Study, SupportId, Supports, Sweep, Target, Unit, counted,
+    grouped,
 };
 use crate::tune::words;
 
@@ -229,9 +229,30 @@ fn band(sweep: &Sweep) -> String {
 }
 
 fn quantity(response: &Response) -> String {
-    match &response.quantity {
-        Quantity::Energy => "energy".to_owned(),
-        Quantity::Motion(at, _) => target(at, response.point),
+    let quantity = &response.quantity;
+    let what = match (quantity.target(), quantity.at(), quantity.direction()) {
+        (Some(at), ..) => target(at, response.point),
+        (None, Some(at), Some(direction)) => {
+            let word = quantity.word().replace('_', " ");
+            format!("{word} {direction} {}", place(at))
+        }
+        (None, ..) => quantity.word().to_owned(),
+    };
+    match &response.over {
+        Some(over) => format!("{what} / {over}"),
+        None => what,
+    }
+}
+
+/// A position after a direction.
+fn place(at: At<'_>) -> String {
+    match at {
+        At::Beam(Place::Left) => "at left".to_owned(),
+        At::Beam(Place::Right) => "at right".to_owned(),
+        At::Beam(Place::Position(x)) => format!("at {}", Unit::METRE.format(x)),
+        At::Support(name) => format!("at {name}"),
+        At::Subsystem(name) => format!("of {name}"),
+        At::Ground => "on the ground".to_owned(),
     }
 }
 
@@ -292,15 +313,7 @@ fn target(target: &Target, point: Point) -> String {
     } else {
         format!(", {name} {}", Unit::METRE.format(coordinate))
     };
-    let at = match target {
-        Target::Beam(Place::Left, motion) => format!("{} at left", motion.key()),
-        Target::Beam(Place::Right, motion) => format!("{} at right", motion.key()),
-        Target::Beam(Place::Position(x), motion) => {
-            format!("{} at {}", motion.key(), Unit::METRE.format(*x))
-        }
-        Target::Mass(name, motion) => format!("{} of {name}", motion.key()),
-    };
-    at + &offset
+    format!("{} {}{offset}", target.direction(), place(target.at()))
 }
 
 fn members(study: &Study) -> usize {

@@ -14,15 +14,16 @@ use std::path::Path;
 use anti_resonance::AntiResonance;
 pub(super) use matching::Matching;
 use mean_square::MeanSquare;
-use peak::Peak;
+pub(super) use peak::Peak;
 pub(super) use value::ObjectiveValue;
 use width::Width;
 
 use super::candidate::{Candidate, Slopes};
 use super::search::Function;
-use crate::model::{Aim, Checked, Compare, Fault, Measure, Objective, Quantity, Unit};
+use crate::model::{Aim, Checked, Compare, Fault, Objective, Unit};
 use crate::solve::Cancelled;
 use crate::solve::band::levels;
+use crate::unit::Kind;
 
 /// The figure of an objective, with its response by index.
 #[derive(Debug, Clone)]
@@ -83,16 +84,19 @@ impl Figure {
 
     /// Its unit, for a model.
     pub(super) fn unit(&self, model: &Checked) -> String {
-        let response = |index: &usize| model.responses.get(*index).map(|one| &one.quantity);
+        let kind = |index: &usize| {
+            let response = model.responses.get(*index);
+            response.map_or(Kind::Energy, |one| one.kind(model, None))
+        };
         match self {
             Self::Peak(Peak {
                 response: index, ..
-            }) => unit_of(response(index)),
+            }) => kind(index).unit(),
             Self::MeanSquare(MeanSquare {
                 response: index, ..
-            }) => match response(index) {
-                Some(Quantity::Energy) => unit_of(response(index)),
-                motion => squared(&unit_of(motion)),
+            }) => match kind(index) {
+                Kind::Energy => Kind::Energy.unit(),
+                kind @ Kind::Amplitude(_) => squared(&kind.unit()),
             },
             Self::Width(_) | Self::AntiResonance(_) => Unit::HERTZ.symbol.to_owned(),
             Self::Matching(Matching { compare, .. }) => match compare {
@@ -139,11 +143,6 @@ impl Figure {
     }
 }
 
-/// The unit of a response's values.
-fn unit_of(quantity: Option<&Quantity>) -> String {
-    quantity.map_or_else(String::new, |quantity| quantity.kind(None).unit())
-}
-
 /// A unit's square: m -> m2, m/s -> (m/s)2.
 fn squared(unit: &str) -> String {
     if unit.chars().all(char::is_alphabetic) {
@@ -151,9 +150,4 @@ fn squared(unit: &str) -> String {
     } else {
         format!("({unit})2")
     }
-}
-
-/// Whether a quantity is a displacement.
-pub(super) fn is_displacement(quantity: &Quantity) -> bool {
-    matches!(quantity, Quantity::Motion(_, Measure::Displacement))
 }

@@ -21,12 +21,17 @@ const MOST: usize = 40;
 #[derive(Debug, Clone, Copy)]
 pub(in crate::tune) struct Peak {
     pub(super) response: usize,
-    pub(super) band: Band,
+    pub(in crate::tune) band: Band,
 }
 
 impl Peak {
+    /// Of a response in a band.
+    pub(in crate::tune) const fn new(response: usize, band: Band) -> Self {
+        Self { response, band }
+    }
+
     /// The highest point, with its frequency.
-    pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
+    pub(in crate::tune) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         let tops = self.tops(candidate, LIKELY)?;
         let highest = tops.first();
         Ok(ObjectiveValue {
@@ -36,7 +41,7 @@ impl Peak {
     }
 
     /// The magnitude at each top: to first order the shift of a maximum has no effect (envelope theorem).
-    pub(super) fn functions(
+    pub(in crate::tune) fn functions(
         &self,
         candidate: &Candidate,
         slopes: &Slopes,

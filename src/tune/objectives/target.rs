@@ -8,7 +8,7 @@ use super::matching::Matching;
 use crate::measured::{self, Curve, Hint, Inspection, Layout, Opened};
 use crate::model::{Aim, Checked, Compare, Fault, Objective};
 use crate::solve::Reference;
-use crate::unit::Kind;
+use crate::unit::{Dimension, Kind, Load};
 
 /// The target values of a response at the measured frequencies in a band.
 ///
@@ -118,35 +118,35 @@ fn choose<'a>(all: &'a [Curve], curve: Option<&str>, response: &str) -> Result<&
 /// The values of a measured curve in the form and unit of a response, for the loads of the model. Unknown properties
 /// count as those of the response itself.
 fn in_form_of(model: &Checked, curve: &Curve, response: usize) -> Result<Vec<Complex64>, String> {
-    let quantity = model.responses.get(response).map(|one| &one.quantity);
-    let Some(Kind::Motion(own)) = curve.kind else {
+    let Some(Kind::Amplitude(own)) = curve.kind else {
         return match curve.kind {
             None => Ok(curve.values.clone()),
-            Some(_) => Err("is an energy; must be a motion".to_owned()),
+            Some(_) => Err("is an energy; must be a complex response".to_owned()),
         };
     };
     let reference = Reference::of(model);
-    let dimension = quantity.and_then(|one| one.kind(reference.map(|one| one.load)).motion());
-    let Some(dimension) = dimension.filter(|one| one.moves == own.moves) else {
-        return Err(format!(
-            "is in {}, which does not match the response",
-            Kind::Motion(own).unit()
-        ));
+    let dimension = |per: Option<Load>| {
+        let response = model.responses.get(response);
+        response.and_then(|one| one.kind(model, per).dimension())
     };
-    let amplitude = match (own.per, reference) {
-        (None, _) => Complex64::ONE,
-        (Some(load), Some(reference)) if load == reference.load => reference.amplitude,
-        _ => {
+    let [alone, divided] = [None, reference.map(|one| one.load)].map(dimension);
+    let is_alike = |one: &Dimension| one.is_alike(own);
+    let unit = Kind::Amplitude(own).unit();
+    let (dimension, amplitude) = match (alone.filter(is_alike), divided.filter(is_alike), reference)
+    {
+        (Some(alone), ..) => (alone, Complex64::ONE),
+        (None, Some(divided), Some(reference)) => (divided, reference.amplitude),
+        _ if alone.is_some_and(|one| one.of_same_motion(own)) => {
             return Err(format!(
-                "is in {}, per load; the model must have exactly that force, so that its response can be divided by it",
-                Kind::Motion(own).unit()
+                "is in {unit}, per load; the model must have exactly that force, so that its response can be divided by it",
             ));
         }
+        _ => return Err(format!("is in {unit}, which does not match the response")),
     };
     let points = curve.frequencies.iter().zip(&curve.values);
     Ok(points
         .map(|(frequency, value)| {
-            amplitude * own.converted(*value, *frequency, dimension.form_of_measure())
+            amplitude * own.converted(*value, *frequency, dimension.own_form())
         })
         .collect())
 }

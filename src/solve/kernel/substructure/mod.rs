@@ -18,14 +18,13 @@ use crate::solve::kernel::complex::Complex;
 use crate::solve::kernel::ends::{join, reflection, right_end};
 use crate::solve::kernel::energy::Sum;
 use crate::solve::kernel::number::Arithmetic;
-use crate::solve::kernel::read::Part;
+use crate::solve::kernel::read::{Part, write_outputs};
 use crate::solve::kernel::recursion::{Prepared, Room, times};
 use crate::solve::kernel::reflection::{Amplitudes, Reflection, Side};
 use crate::solve::kernel::waves::Waves;
-use crate::solve::plan::Output;
 use side_energy::SideEnergy;
 
-/// A response as a function of six waves.
+/// A row as a function of six waves.
 #[derive(Debug, Clone)]
 struct Affine<A> {
     from_waves: Amplitudes<A>,
@@ -37,8 +36,8 @@ struct Affine<A> {
 struct SideResponse<A> {
     /// Looking from the part.
     reflection: Reflection<A>,
-    /// The responses on the side, in the order of the plan's outputs.
-    outputs: Vec<Affine<A>>,
+    /// The rows on the side, in the order of the plan's reads.
+    reads: Vec<Affine<A>>,
     /// The energy of the side, if requested.
     energy: Option<Box<SideEnergy<A>>>,
 }
@@ -50,14 +49,14 @@ pub(in crate::solve) struct Sides<A> {
     right: Option<SideResponse<A>>,
 }
 
-/// The source of a response.
+/// The source of a read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::solve) enum Source {
     /// The part between the sides.
     Substructure,
-    /// The left side, and the index among its outputs.
+    /// The left side, and the index among its reads.
     Left(usize),
-    /// The right side, and the index among its outputs.
+    /// The right side, and the index among its reads.
     Right(usize),
 }
 
@@ -67,20 +66,20 @@ pub(in crate::solve) struct Substructure {
     pub(in crate::solve) prepared: Prepared,
     /// The stations of the part.
     pub(in crate::solve) part: Range<usize>,
-    /// The source of each output.
+    /// The source of each read.
     pub(in crate::solve) sources: Vec<Source>,
-    /// The station and the index of each output that is read at one, by ascending station.
-    pub(in crate::solve) read: Vec<(usize, usize)>,
+    /// The station and the index of each read, by ascending station.
+    pub(in crate::solve) by_station: Vec<(usize, usize)>,
 }
 
 impl Substructure {
-    /// The indices of the outputs that are read at a station.
+    /// The indices of the reads at a station.
     pub(in crate::solve::kernel) fn read_at(&self, station: usize) -> impl Iterator<Item = usize> {
-        let first = self.read.partition_point(|(at, _)| *at < station);
-        let from_there = self.read[first..].iter();
+        let first = self.by_station.partition_point(|(at, _)| *at < station);
+        let from_there = self.by_station[first..].iter();
         from_there
             .take_while(move |(at, _)| *at == station)
-            .map(|(_, output)| *output)
+            .map(|(_, read)| *read)
     }
 }
 
@@ -112,7 +111,7 @@ impl<A> SideResponse<A> {
     /// Size of its heap memory, bytes.
     fn bytes(&self) -> usize {
         let energy = self.energy.iter().map(|energy| size_of_val(&**energy));
-        size_of_val(&*self.outputs) + energy.sum::<usize>()
+        size_of_val(&*self.reads) + energy.sum::<usize>()
     }
 }
 
@@ -212,17 +211,16 @@ impl<A: Arithmetic> Room<A> {
                 known.at(arriving, &mut energy);
             }
         }
-        let energy = Complex::from_real(energy.resolved());
-        for ((value, output), source) in
-            out.iter_mut().zip(&plan.outputs).zip(&substructure.sources)
-        {
-            *value = match (source, &sides.left, &sides.right) {
-                (Source::Left(index), Some(left), _) => left.outputs[*index].at(&b),
-                (Source::Right(index), _, Some(right)) => right.outputs[*index].at(&a),
-                _ if *output == Output::Energy => energy,
-                _ => self.read(prepared, &all, *output, Part::Whole),
+        self.values.clear();
+        for (read, source) in plan.reads.iter().zip(&substructure.sources) {
+            let value = match (source, &sides.left, &sides.right) {
+                (Source::Left(index), Some(left), _) => left.reads[*index].at(&b),
+                (Source::Right(index), _, Some(right)) => right.reads[*index].at(&a),
+                _ => self.read(prepared, &all, *read, Part::Whole),
             };
+            self.values.push(value);
         }
+        write_outputs(plan, first.omega, &self.values, energy.resolved(), out);
         self.waves = all;
     }
 }
@@ -236,7 +234,7 @@ impl<A: Arithmetic> SideResponse<A> {
         let count = substructure.sources.iter().filter(|s| is_there(s)).count();
         Self {
             reflection,
-            outputs: vec![Affine::NONE; count],
+            reads: vec![Affine::NONE; count],
             energy: None,
         }
     }

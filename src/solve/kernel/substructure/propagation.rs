@@ -23,20 +23,22 @@ struct Task<'a, A> {
     side: Side,
     end: &'a Reflection<A>,
     inwards: Carried<A>,
-    /// Results, if requested.
-    outputs: Option<&'a mut [Affine<A>]>,
+    /// The rows, if requested.
+    reads: Option<&'a mut [Affine<A>]>,
 }
 
 /// The response of a station to the arrivals.
 struct Crossing<A> {
     /// The forces of the channels, for a subsystem.
     forces: [[Complex<A>; CHANNELS]; ARRIVALS],
+    /// The actions of a support or joint.
+    actions: [[Complex<A>; 6]; ARRIVALS],
     /// The waves it sends back, before N.
     back: Carried<A>,
 }
 
 impl<A: Arithmetic> Room<A> {
-    /// Computes the outputs and the energy of a side that ends in `end`; its reflection is already known.
+    /// Computes the rows and the energy of a side that ends in `end`; its reflection is already known.
     #[inline(always)]
     pub(super) fn carry(
         &mut self,
@@ -45,15 +47,15 @@ impl<A: Arithmetic> Room<A> {
         (side, end): (Side, &Reflection<A>),
         beside: &mut SideResponse<A>,
     ) {
-        let task = |inwards, outputs| Task {
+        let task = |inwards, reads| Task {
             substructure,
             all,
             side,
             end,
             inwards,
-            outputs,
+            reads,
         };
-        let by_waves = self.carried(task(arriving(), Some(&mut beside.outputs)));
+        let by_waves = self.carried(task(arriving(), Some(&mut beside.reads)));
         if substructure.prepared.plan.wants_energy {
             let carried = |inwards| self.carried(task(inwards, None));
             beside.energy = Some(Box::new(SideEnergy::new(&by_waves, carried)));
@@ -111,7 +113,7 @@ impl<A: Arithmetic> Room<A> {
         energy
     }
 
-    /// Moves the arrivals over a station and stores the responses there; writes the waves that return to the span
+    /// Moves the arrivals over a station and stores the rows there; writes the waves that return to the span
     /// towards the part, if the energy is requested.
     #[inline(always)]
     fn carry_over(
@@ -138,7 +140,7 @@ impl<A: Arithmetic> Room<A> {
             Side::Right => &before,
         };
         returned(&self.lefts[kept], there, outwards);
-        if let (Some(read), Some(outputs)) = (prepared.reads[index], &mut task.outputs) {
+        if let (Some(read), Some(reads)) = (prepared.reads[index], &mut task.reads) {
             for arrival in 0..ARRIVALS {
                 let state = &mut self.states[read];
                 let mut inwards = there[arrival];
@@ -148,8 +150,9 @@ impl<A: Arithmetic> Room<A> {
                     Side::Right => (inwards, outwards[arrival]),
                 };
                 state.forces = crossing.forces[arrival];
+                state.actions = crossing.actions[arrival];
                 state.theta = self.turns[read].part(&before[arrival], arrival == FORCED);
-                self.collect(task.substructure, task.all, (index, arrival), outputs);
+                self.collect(task.substructure, task.all, (index, arrival), reads);
             }
         }
         if task.side == Side::Left {
@@ -178,12 +181,8 @@ impl<A: Arithmetic> Room<A> {
                     *inwards = self.actions[index].part(inwards, arrival == FORCED);
                 }
             }
-            Event::Load(load) => {
-                let jumps = Jumps::of_load(waves, load);
-                *crossing = Crossing::NONE;
-                crossing.back[FORCED] = jumps.sent(task.side);
-                add(&mut task.inwards[FORCED], &jumps.sent(task.side.other()));
-            }
+            Event::Load(load) => crossing.jumps(&Jumps::of_load(waves, load), task),
+            Event::Gap(gap) => crossing.jumps(&Jumps::of_gap(waves, gap), task),
             Event::Probe => *crossing = Crossing::NONE,
         }
     }
@@ -201,34 +200,35 @@ impl<A: Arithmetic> Room<A> {
         let waves = task.substructure.prepared.waves_of(task.all, index);
         for arrival in 0..ARRIVALS {
             let inwards = &mut task.inwards[arrival];
-            let jumps = self.actions[index].sent(waves, acting, inwards, arrival == FORCED);
+            let actions = self.actions[index].part(inwards, arrival == FORCED);
+            crossing.actions[arrival] = actions;
+            let jumps = acting.sent(waves, actions);
             crossing.back[arrival] = jumps.sent(task.side);
             add(inwards, &jumps.sent(task.side.other()));
         }
     }
 
-    /// Stores the responses at a station for the arrivals that just passed it.
+    /// Stores the rows at a station for the arrivals that just passed it.
     #[inline(always)]
     fn collect(
         &self,
         substructure: &Substructure,
         all: &[Waves<A>],
         (index, arrival): (usize, usize),
-        outputs: &mut [Affine<A>],
+        reads: &mut [Affine<A>],
     ) {
         let part = if arrival == FORCED {
             Part::Whole
         } else {
             Part::FromWaves
         };
-        for output in substructure.read_at(index) {
-            let (Source::Left(number) | Source::Right(number)) = substructure.sources[output]
-            else {
+        for read in substructure.read_at(index) {
+            let (Source::Left(number) | Source::Right(number)) = substructure.sources[read] else {
                 continue;
             };
-            let wanted = substructure.prepared.plan.outputs[output];
+            let wanted = substructure.prepared.plan.reads[read];
             let value = self.read(&substructure.prepared, all, wanted, part);
-            let affine = &mut outputs[number];
+            let affine = &mut reads[number];
             match arrival {
                 FORCED => affine.forced = value,
                 wave => affine.from_waves[wave] = value,
@@ -240,8 +240,17 @@ impl<A: Arithmetic> Room<A> {
 impl<A: Arithmetic> Crossing<A> {
     const NONE: Self = Self {
         forces: [[Complex::ZERO; CHANNELS]; ARRIVALS],
+        actions: [[Complex::ZERO; 6]; ARRIVALS],
         back: [[Complex::ZERO; 6]; ARRIVALS],
     };
+
+    /// For jumps, which only the loads of the side make.
+    #[inline(always)]
+    fn jumps(&mut self, jumps: &Jumps<A>, task: &mut Task<'_, A>) {
+        *self = Self::NONE;
+        self.back[FORCED] = jumps.sent(task.side);
+        add(&mut task.inwards[FORCED], &jumps.sent(task.side.other()));
+    }
 
     /// For a subsystem; moves its arrivals over it.
     fn attachment(

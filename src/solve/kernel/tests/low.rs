@@ -48,6 +48,7 @@ fn drive(model: &mut Model, place: Place, motion: BeamMotion) {
             enabled: true,
             point: Point::AXIS,
             quantity,
+            over: None,
         });
     }
 }
@@ -476,6 +477,7 @@ fn without_symmetry(held: HeldBy, length: f64) -> Model {
                 enabled: true,
                 point: Point::AXIS,
                 quantity: Quantity::Motion(target, Measure::Displacement),
+                over: None,
             });
         }
     }

@@ -98,10 +98,10 @@ fn response_levels(model: &Checked, levels: &[Level], motion: bool) -> Vec<Respo
     enabled
         .zip(levels)
         .map(|(response, level)| {
-            let kind = response.quantity.kind(reference.map(|one| one.load));
-            let divisor = match (&reference, kind) {
-                (Some(reference), Kind::Motion(_)) => reference.amplitude.norm(),
-                _ => 1.0,
+            let kind = response.kind(model, reference.map(|one| one.load));
+            let divisor = match &reference {
+                Some(reference) if response.is_linear() => reference.amplitude.norm(),
+                Some(_) | None => 1.0,
             };
             ResponseLevel {
                 response: response.name.clone(),

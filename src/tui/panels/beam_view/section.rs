@@ -15,7 +15,7 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 
 use self::plane::{Extent, Plane};
-use crate::model::{Group, Model, Point, Quantity, Section, Subsystem, Target, UniformPart};
+use crate::model::{At, Group, Model, Point, Section, Subsystem, UniformPart};
 use crate::tui::app::App;
 use crate::tui::sketch::{Board, Signs, width};
 use crate::tui::theme::Theme;
@@ -53,17 +53,14 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
 
 /// The selected subsystem, or the one whose mass has the selected force or response; otherwise the first enabled one.
 fn subsystem(model: &Model, node: Node) -> Option<&Subsystem> {
-    let named = |target: &Target| match target {
-        Target::Mass(name, _) => model.subsystems.iter().find(|one| one.name == *name),
-        Target::Beam(..) => None,
+    let named = |at: At<'_>| match at {
+        At::Subsystem(name) => model.subsystems.iter().find(|one| one.name == name),
+        At::Beam(_) | At::Support(_) | At::Ground => None,
     };
     let selected = match node.item() {
         Some(Group::Subsystem(i)) => model.subsystems.get(i),
-        Some(Group::Force(i)) => named(&model.forces[i].target),
-        Some(Group::Response(i)) => match &model.responses[i].quantity {
-            Quantity::Motion(target, _) => named(target),
-            Quantity::Energy => None,
-        },
+        Some(Group::Force(i)) => named(model.forces[i].target.at()),
+        Some(Group::Response(i)) => model.responses[i].quantity.at().and_then(named),
         _ => None,
     };
     selected

@@ -156,19 +156,12 @@ impl Curves {
 
     /// Shows one response alone; if it is alone already, all responses of its axis. Returns whether it is alone now.
     pub fn solo(&mut self, model: &Model, response: &str) -> bool {
-        let quantity = |name: &str| {
-            model
-                .responses
-                .iter()
-                .find(|one| one.name == name)
-                .map(|one| &one.quantity)
-        };
         if self.visible == [response] {
-            let kind = quantity(response).map(|one| one.kind(None));
-            let alike = model
-                .responses
-                .iter()
-                .filter(|one| Some(one.quantity.kind(None)) == kind);
+            let mut all = model.responses.iter();
+            let own = all.find(|one| one.name == response);
+            let kind = own.map(|one| one.kind(model, None));
+            let all = model.responses.iter();
+            let alike = all.filter(|one| Some(one.kind(model, None)) == kind);
             self.visible = alike.map(|one| one.name.clone()).collect();
             return false;
         }

@@ -39,14 +39,16 @@ impl Display {
     pub fn form_of(&self, dimension: Dimension) -> Form {
         self.form
             .filter(|form| dimension.has(*form))
-            .unwrap_or(dimension.form_of_measure())
+            .unwrap_or(dimension.own_form())
     }
 
     /// The dimension of a response as displayed, except its form; none for an energy.
     pub fn dimension_of(&self, trace: &Trace) -> Option<Dimension> {
         let dimension = trace.dimension?;
         Some(Dimension {
-            per: dimension.per.filter(|_| !self.motion),
+            per: dimension
+                .per
+                .filter(|_| trace.force.is_none() || !self.motion),
             ..dimension
         })
     }

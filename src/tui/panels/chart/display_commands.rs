@@ -49,7 +49,7 @@ impl App {
         let shown = self.curves.shown_traces();
         let dimensions: Vec<Dimension> = shown.filter_map(|trace| trace.dimension).collect();
         if dimensions.is_empty() {
-            return self.refuse("no response of a motion is visible: an energy has one form");
+            return self.refuse("only energies are visible, which have one form");
         }
         let has = |form: &Form| dimensions.iter().any(|dimension| dimension.has(*form));
         let ratio = dimensions.iter().any(|dimension| dimension.per.is_some());

@@ -113,15 +113,16 @@ pub(crate) fn member(member: worker::Member) -> Member {
 /// The responses of a model, divided by the force if there is exactly one; `peaks` per response, or none.
 pub(crate) fn traces(model: &Checked, frf: &Frf, peaks: Vec<Vec<Peak>>) -> Vec<Trace> {
     let reference = Reference::of(model);
-    let quantities = model.responses.iter().filter(|one| one.enabled);
+    let responses = model.responses.iter().filter(|one| one.enabled);
     let per = reference.map(|reference| reference.load);
-    let dimensions = quantities.map(|one| one.quantity.kind(per).motion());
     let mut peaks = peaks.into_iter();
-    let columns = frf.columns.iter().zip(dimensions);
+    let columns = frf.columns.iter().zip(responses);
     columns
-        .map(|(column, dimension)| {
+        .map(|(column, response)| {
             let peaks = peaks.next().unwrap_or_default();
-            trace(column, dimension, reference.as_ref(), peaks)
+            let dimension = response.kind(model, per).dimension();
+            let reference = reference.as_ref().filter(|_| response.is_linear());
+            trace(column, dimension, reference, peaks)
         })
         .collect()
 }
@@ -133,8 +134,7 @@ fn trace(
     mut peaks: Vec<Peak>,
 ) -> Trace {
     let mut values = column.values.clone();
-    let force = reference.filter(|_| dimension.is_some());
-    let force = force.map(|reference| reference.amplitude);
+    let force = reference.map(|reference| reference.amplitude);
     if let Some(amplitude) = force {
         for value in &mut values {
             *value /= amplitude;

@@ -13,7 +13,7 @@ use crate::model::{Checked, Model, counted};
 use crate::solve::Reference;
 use crate::tui::app::{App, Effect, Question, Trace};
 use crate::tui::keys::CompareCommand;
-use crate::unit::{Dimension, Kind, ValueUnit};
+use crate::unit::{Dimension, ValueUnit};
 use crate::worker::{Request, SampleRequest, Sampling};
 
 /// The most frequencies at which a model is compared with measured curves; beyond, every second, third...
@@ -260,13 +260,12 @@ fn named_alike(model: &Checked, mut curve: Curve) -> Curve {
     let alike = responses.find(|one| one.enabled && one.name == curve.name);
     if let (None, true, Some(alike)) = (curve.kind, curve.unknown.is_empty(), alike) {
         let reference = Reference::of(model);
-        let kind = alike.quantity.kind(reference.map(|one| one.load));
-        if let (Kind::Motion(_), Some(reference)) = (kind, reference) {
+        curve.kind = Some(alike.kind(model, reference.map(|one| one.load)));
+        if let Some(reference) = reference.filter(|_| alike.is_linear()) {
             for value in &mut curve.values {
                 *value /= reference.amplitude;
             }
         }
-        curve.kind = Some(kind);
     }
     curve
 }

@@ -74,9 +74,9 @@ pub enum OpenedMeasured {
 }
 
 impl Measured {
-    /// The dimension of its values, if it is a known motion.
+    /// The dimension of its values, if they are known and complex.
     pub fn dimension(&self) -> Option<Dimension> {
-        self.curve.kind.and_then(Kind::motion)
+        self.curve.kind.and_then(Kind::dimension)
     }
 
     /// Whether it can share the axis of a response: its quantity is the same except for the measure of the motion, or
@@ -84,9 +84,7 @@ impl Measured {
     pub fn fits(&self, response: Option<&Dimension>) -> bool {
         match (self.curve.kind, response) {
             (None, _) | (Some(Kind::Energy), None) => true,
-            (Some(Kind::Motion(own)), Some(response)) => {
-                own.moves == response.moves && own.per == response.per
-            }
+            (Some(Kind::Amplitude(own)), Some(response)) => own.is_alike(*response),
             _ => false,
         }
     }

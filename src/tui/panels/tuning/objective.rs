@@ -150,7 +150,7 @@ impl App {
 
 /// Parses the text for a response and a band.
 fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, String> {
-    const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE, match FILE columns hz; re im; m/N; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit static SIZE, limit buckling FACTOR, no limits";
+    const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE, match FILE columns hz; re im; m/N; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit peak SIZE, limit static SIZE, limit buckling FACTOR, no limits";
     let text = text.trim();
     match text {
         "sum" => return Ok(Typed::Combine(Combine::Sum)),
@@ -223,6 +223,10 @@ fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit,
             at_most: number(most.trim_end_matches("kg"))?,
         }),
         ("modes", "") => Ok(Limit::NoMode { from, to }),
+        ("peak", most) => Ok(Limit::Peak {
+            response: response.to_owned(),
+            at_most: number(most)?,
+        }),
         ("static", most) => Ok(Limit::StaticDeflection {
             response: response.to_owned(),
             at_most: number(most)?,
@@ -231,7 +235,7 @@ fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit,
             at_least: number(least)?,
         }),
         _ => Err(
-            "limit mass KG, limit modes (none in the band), limit static SIZE or limit buckling FACTOR"
+            "limit mass KG, limit modes (none in the band), limit peak SIZE, limit static SIZE or limit buckling FACTOR"
                 .to_owned(),
         ),
     }

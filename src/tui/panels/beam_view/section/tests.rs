@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 
 use super::plane::Reserve;
 use super::*;
-use crate::model::{Span, Spring};
+use crate::model::{Span, Spring, Target};
 use crate::presets;
 use crate::tui::ascii;
 use crate::tui::options::{Marker, Options};

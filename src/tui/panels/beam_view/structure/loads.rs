@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Focus, Picture};
 use crate::model::schema::ForceKey;
-use crate::model::{BeamMotion, Force, Group, MassMotion, Model, Quantity, Target};
+use crate::model::{At, BeamMotion, Force, Group, MassMotion, Model, Place, Target};
 use crate::tui::sketch::{BIMOMENT, Board, Signs, TORQUE};
 use crate::tui::tree::{self, Node};
 
@@ -28,25 +28,30 @@ pub(super) fn amplitude(model: &Model, i: usize) -> String {
 
 /// The forces on the beam.
 fn forces(picture: &Picture<'_>) -> Places {
-    let targets = picture.model.forces.iter().map(|force| Some(&force.target));
-    on_beam(picture, targets)
+    let forces = picture.model.forces.iter();
+    on_beam(picture, forces.map(|force| Some(force.target.at())))
 }
 
 /// The responses of the beam.
 fn probes(picture: &Picture<'_>) -> Places {
     let responses = picture.model.responses.iter();
-    let targets = responses.map(|response| match &response.quantity {
-        Quantity::Motion(target, _) => Some(target),
-        Quantity::Energy => None,
-    });
-    on_beam(picture, targets)
+    on_beam(picture, responses.map(|response| response.quantity.at()))
 }
 
-fn on_beam<'a>(picture: &Picture<'_>, targets: impl Iterator<Item = Option<&'a Target>>) -> Places {
+fn on_beam<'a>(picture: &Picture<'_>, all: impl Iterator<Item = Option<At<'a>>>) -> Places {
     let mut places = Places::new();
-    for (i, target) in targets.enumerate() {
-        if let Some(Target::Beam(place, _)) = target {
-            places.entry(picture.place(*place)).or_default().push(i);
+    for (i, at) in all.enumerate() {
+        let place = match at {
+            Some(At::Beam(place)) => Some(place),
+            Some(At::Support(name)) => {
+                let mut inner = picture.model.supports.inner.iter();
+                let support = inner.find(|support| support.name == name);
+                support.map(|support| Place::Position(support.position))
+            }
+            Some(At::Subsystem(_) | At::Ground) | None => None,
+        };
+        if let Some(place) = place {
+            places.entry(picture.place(place)).or_default().push(i);
         }
     }
     places
@@ -145,10 +150,7 @@ fn draw_force_words(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Place
 
 /// The amplitude, after the direction if there are several.
 fn of_force(model: &Model, i: usize, among_others: bool) -> String {
-    let direction = match &model.forces[i].target {
-        Target::Beam(_, motion) => motion.key(),
-        Target::Mass(_, motion) => motion.key(),
-    };
+    let direction = model.forces[i].target.direction();
     if among_others {
         format!("{direction} {}", amplitude(model, i))
     } else {
@@ -192,11 +194,8 @@ fn draw_probe_words(picture: &Picture<'_>, board: &mut Board<'_>, probes: &Place
         let any_on = members.iter().any(|i| responses[*i].enabled);
         let mut keys: Vec<&str> = Vec::new();
         for i in members.iter().filter(|i| responses[**i].enabled || !any_on) {
-            if let Quantity::Motion(Target::Beam(_, motion), _) = &responses[*i].quantity
-                && !keys.contains(&motion.key())
-            {
-                keys.push(motion.key());
-            }
+            let direction = responses[*i].quantity.direction();
+            keys.extend(direction.filter(|key| !keys.contains(key)));
         }
         let motions = keys.join(" ");
         let chosen = members.iter().find(|i| selected(i));
@@ -225,14 +224,13 @@ pub(super) fn on_mass(picture: &Picture<'_>, name: &str) -> String {
         }
     };
     for (i, force) in picture.model.forces.iter().enumerate() {
-        if matches!(&force.target, Target::Mass(mass, _) if mass == name) {
+        if force.target.at() == At::Subsystem(name) {
             let selected = picture.focus == Focus::Force(i);
             push(sign(picture.signs, force), selected);
         }
     }
     for (i, response) in picture.model.responses.iter().enumerate() {
-        if matches!(&response.quantity, Quantity::Motion(Target::Mass(mass, _), _) if mass == name)
-        {
+        if response.quantity.at() == Some(At::Subsystem(name)) {
             let selected = picture.focus == Focus::Response(i);
             push(
                 picture.signs.probe[usize::from(!response.enabled)],
@@ -249,17 +247,14 @@ pub(super) fn on_mass(picture: &Picture<'_>, name: &str) -> String {
 
 /// The mass of the selected force or response.
 pub(super) fn selected_mass<'a>(picture: &Picture<'a>) -> Option<&'a str> {
-    let target = match picture.focus {
-        Focus::Force(i) => &picture.model.forces[i].target,
-        Focus::Response(i) => match &picture.model.responses[i].quantity {
-            Quantity::Motion(target, _) => target,
-            Quantity::Energy => return None,
-        },
+    let at = match picture.focus {
+        Focus::Force(i) => picture.model.forces[i].target.at(),
+        Focus::Response(i) => picture.model.responses[i].quantity.at()?,
         _ => return None,
     };
-    match target {
-        Target::Mass(name, _) => Some(name),
-        Target::Beam(..) => None,
+    match at {
+        At::Subsystem(name) => Some(name),
+        At::Beam(_) | At::Support(_) | At::Ground => None,
     }
 }
 
@@ -268,10 +263,7 @@ pub(super) fn keys(picture: &Picture<'_>) -> Vec<String> {
     let model = picture.model;
     let mut keys: Vec<String> = Vec::new();
     for force in &model.forces {
-        let direction = match &force.target {
-            Target::Beam(_, motion) => motion.key(),
-            Target::Mass(_, motion) => motion.key(),
-        };
+        let direction = force.target.direction();
         let backward = if is_backward(force) { "-" } else { "" };
         let key = format!("{} {backward}{direction}", sign(picture.signs, force));
         if !keys.contains(&key) {

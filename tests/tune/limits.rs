@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
 use beamtune::model::{
-    BeamMotion, Hold, Limit, Measure, Model, Place, Quantity, Support, Target, Variable,
+    BeamMotion, Hold, Limit, Measure, Model, Place, Quantity, Response, SpringMeasure, SpringName,
+    Support, Target, Variable,
 };
 use beamtune::tune::{Problem, Tuned};
 
@@ -109,6 +110,40 @@ fn springs_are_as_soft_as_the_deflection_allows() {
     assert!((deflection / AT_MOST - 1.0).abs() < 1e-5, "{deflection:e}");
     let value = found.limits[0].value;
     assert!((value / AT_MOST - 1.0).abs() < 1e-6, "{value:e}");
+}
+
+/// Expected: the best absorber without stops moves farther, so at the best one within them the limit is active. However stiff its
+/// damper is, it moves by 2.1e-5 m, where the beam with the absorber locked to it is at resonance.
+#[test]
+fn an_absorber_stays_within_its_stops() {
+    let stopped = |at_most: f64| {
+        let limit = Limit::Peak {
+            response: "stroke".to_owned(),
+            at_most,
+        };
+        let mut model = limited(PEAK, Vec::new(), vec![limit]);
+        let stroke = Response {
+            name: "stroke".to_owned(),
+            quantity: Quantity::Spring(
+                model.subsystems[0].name.clone(),
+                SpringName::YLeft,
+                SpringMeasure::Stretch,
+            ),
+            ..model.responses[0].clone()
+        };
+        model.responses.push(stroke);
+        tuned(&model, BUDGET)
+    };
+    let free = stopped(1.0);
+    let at_most = 0.98 * free.limits[0].value;
+    let found = stopped(at_most);
+    all_hold(&found);
+    let value = found.limits[0].value;
+    assert!(
+        (value / at_most - 1.0).abs() < 1e-6,
+        "{value:e} {at_most:e}"
+    );
+    assert!(found.after[0].figure > free.after[0].figure);
 }
 
 /// Closed form: above its resonance the beam moves the less the softer its springs and the heavier its absorber are, and

@@ -252,7 +252,7 @@ fn place(at: At<'_>) -> String {
         At::Beam(Place::Position(x)) => format!("at {}", Unit::METRE.format(x)),
         At::Support(name) => format!("at {name}"),
         At::Subsystem(name) => format!("of {name}"),
-        At::Ground => "on the ground".to_owned(),
+        At::Ground => "at ground".to_owned(),
     }
 }
 

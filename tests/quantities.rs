@@ -66,7 +66,7 @@ proptest! {
         let expected: Vec<Complex64> = all.map(|of| -of).collect();
         for (measure, (found, expected)) in found.chunks(4).zip(expected.chunks(4)).enumerate() {
             // What nothing couples with the load is only rounding: newtons, or metres.
-            let least = [1e-6, 1e-13][measure % 2];
+            let least = [1e-6, 1e-11][measure % 2];
             let size = largest(expected).max(least);
             for (found, expected) in found.iter().zip(expected) {
                 prop_assert!((found - expected).norm() < 1e-9 * size, "{found} {expected} {measure}");

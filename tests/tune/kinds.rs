@@ -161,7 +161,7 @@ fn the_energy_of_a_rigid_beam_is_its_mass_times_the_mean_square() {
     let square = absorber::model(
         r#"objective = { minimise = "mean_square", response = "w", from = 5.0, to = 60.0 }"#,
     );
-    let [energy, square] = [energy, square].map(|model| tuned(&model, Some(150)));
+    let [energy, square] = [energy, square].map(|model| tuned(&model, Some(80)));
     let ratio = energy.after[0].figure / (MASS * square.after[0].figure);
     assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
     assert!(energy.after[0].figure < energy.before[0].figure);

@@ -11,8 +11,8 @@ mod common;
 mod checked;
 
 use beamtune::model::{
-    BeamMotion, Elastic, Force, InnerSupport, MaxwellBranch, Measure, Model, Place, Point,
-    Quantity, Response, Restraint, Spring, Subsystem, Support, Supports, Target,
+    BeamMotion, Elastic, Force, InnerSupport, MassMotion, MaxwellBranch, Measure, Model, Place,
+    Point, Quantity, Response, Restraint, Spring, Subsystem, Support, Supports, Target,
 };
 use checked::checked;
 use common::{
@@ -455,6 +455,46 @@ fn an_undamped_absorber_holds_its_station_still() {
     );
     assert!(moved[0].norm() < 1e-12 * moved[1].norm(), "{moved:?}");
     assert!(moved[1].is_finite() && moved[1].norm() > 0.0);
+}
+
+/// Expected: closed form. A mass without inertia on the clamped end, which Maxwell branches alone hold: a moment M on it
+/// turns it by `M (1 / k_b + 1 / (i omega c_b)) / (a_l^2 + a_r^2)`, with equal arms without moving it.
+#[test]
+fn a_branch_alone_resists_theta() {
+    let branch = MaxwellBranch {
+        stiffness: 3e5,
+        damping: 200.0,
+    };
+    let spring = Spring {
+        maxwell: vec![branch],
+        ..Spring::default()
+    };
+    let mut model = cantilever();
+    model.subsystems = vec![Subsystem {
+        name: "M".into(),
+        enabled: true,
+        position: 0.0,
+        mass: 10.0,
+        inertia: 0.0,
+        y_left: spring.clone(),
+        y_right: spring.clone(),
+        z_left: spring.clone(),
+        z_right: spring,
+        arm_left: 0.2,
+        arm_right: 0.2,
+        mount_y: 0.1,
+        mount_z: 0.0,
+    }];
+    let theta = Target::Mass("M".into(), MassMotion::Theta);
+    let hertz = 40.0;
+    let turned = respond(&model, vec![unit_force(theta.clone())], &[theta], hertz)[0];
+    let omega = std::f64::consts::TAU * hertz;
+    let flexibility = 1.0 / branch.stiffness + 1.0 / Complex64::new(0.0, omega * branch.damping);
+    let expected = flexibility / (2.0 * 0.2 * 0.2);
+    assert!(
+        (turned - expected).norm() < 1e-12 * expected.norm(),
+        "{turned} {expected}"
+    );
 }
 
 /// Expected: closed form of the pinned beam's natural frequencies, (n pi / L)^2 sqrt(E I / rho A) / 2 pi. Without

@@ -96,21 +96,23 @@ pub fn remove(model: &mut Model, element: Group) {
 pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
     // Elements after the removed one move up by one.
     let same_list = |group: Group| discriminant(&group.owner()) == discriminant(&removed);
-    let moved = |id: ParameterId| match (id.group, removed) {
-        (Group::Branch(spring, own), Group::Branch(other, there)) if spring == other => {
-            let up = || Group::Branch(spring, own - 1).parameter(id.row);
-            match own.cmp(&there) {
-                Ordering::Less => Some(id),
-                Ordering::Equal => None,
-                Ordering::Greater => Some(up()),
+    let moved = |id: ParameterId| {
+        let (order, group) = match (id.group, removed) {
+            (Group::Branch(spring, own), Group::Branch(other, there)) if spring == other => {
+                let up = own.saturating_sub(1);
+                (own.cmp(&there), Group::Branch(spring, up))
             }
-        }
-        (group, _) if same_list(group) => match group.place().cmp(&removed.place()) {
+            (group, _) if same_list(group) => {
+                let up = group.place()?.saturating_sub(1);
+                (group.place().cmp(&removed.place()), group.at(up))
+            }
+            _ => return Some(id),
+        };
+        match order {
             Ordering::Less => Some(id),
             Ordering::Equal => None,
-            Ordering::Greater => Some(id.at(group.place()? - 1)),
-        },
-        _ => Some(id),
+            Ordering::Greater => Some(group.parameter(id.row)),
+        }
     };
     let is_misled = |pattern: &Pattern| {
         let same = |old: Vec<ParameterId>, new: Vec<ParameterId>| {

@@ -4,7 +4,8 @@
 //! a [`Model`] or returns all of its faults; [`write()`] merges a model into its text; [`check()`] finds out whether a
 //! model is physically possible; [`schema`] describes the keys, a [`ParameterId`] identifies one of them, [`path`]
 //! finds it by name and [`edit`] changes it. The plain data are in `types`, those of the beam, its section and its spans in
-//! `beam`, those of all springs in `spring`; `part` says which numbers belong to the beam and which to one of its spans.
+//! `beam`, those of all springs in `spring`, those of the responses in `quantity`; `part` says which numbers belong to the
+//! beam and which to one of its spans, and `place` where forces and responses can be.
 //!
 //! # Example
 //!

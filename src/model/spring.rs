@@ -22,9 +22,9 @@ pub struct Spring {
 /// A spring and a damper in series: soft at low frequencies, at high ones a spring. Several of them describe a rubber.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MaxwellBranch {
-    /// `k_b`, in the unit of the spring beside it.
+    /// `k_b`, in the unit of the spring parallel to it.
     pub stiffness: f64,
-    /// `c_b`, in the unit of the damper beside it.
+    /// `c_b`, in the unit of the damper parallel to it.
     pub damping: f64,
 }
 
@@ -183,13 +183,8 @@ impl SpringId {
                 Link::Rigid | Link::Free => None,
             },
             Self::Subsystem(index, spring) => {
-                let [y_left, y_right, z_left, z_right] = model.subsystems[index].springs_mut();
-                Some(match spring {
-                    SpringName::YLeft => y_left,
-                    SpringName::YRight => y_right,
-                    SpringName::ZLeft => z_left,
-                    SpringName::ZRight => z_right,
-                })
+                let springs = model.subsystems[index].springs_mut();
+                springs.into_iter().nth(spring as usize)
             }
         }
     }

@@ -331,6 +331,14 @@ impl Subsystem {
     /// The keys of the numbers that matter only with some spring or damper.
     pub const OF_SPRINGS: [&str; 5] = ["inertia", "arm_left", "arm_right", "mount_y", "mount_z"];
 
+    /// Whether something resists theta: an inertia, or a z spring or damper on an arm. Otherwise theta has no equation.
+    pub fn can_turn(&self) -> bool {
+        let on_arm = |spring: &Spring, arm: f64| arm != 0.0 && spring.acts();
+        self.inertia != 0.0
+            || on_arm(&self.z_left, self.arm_left)
+            || on_arm(&self.z_right, self.arm_right)
+    }
+
     /// Whether the number of a key matters: without a spring or damper that uses it, it is optional and 0 by default.
     pub fn needs(&self, key: &str) -> bool {
         match key {

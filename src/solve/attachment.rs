@@ -32,6 +32,8 @@ pub(super) struct Attachment {
     pub(super) mount_z: f64,
     pub(super) arm_left: f64,
     pub(super) arm_right: f64,
+    /// Whether theta has an equation; otherwise it is 0.
+    pub(super) can_turn: bool,
     /// Whether a support fixes w, psi and v of the beam at its position.
     pub(super) held: [bool; 3],
     /// Loads on the mass along (y, z, theta), N and N m.
@@ -53,6 +55,7 @@ impl Attachment {
             mount_z: subsystem.mount_z,
             arm_left: subsystem.arm_left,
             arm_right: subsystem.arm_right,
+            can_turn: subsystem.can_turn(),
             held: [false; 3],
             load: [ZERO; 3],
         }
@@ -68,12 +71,5 @@ impl Attachment {
             all.extend([left.clone(), right.clone()]);
         }
         all
-    }
-
-    /// Whether theta has neither inertia nor a spring or damper.
-    pub(super) fn is_never_turned(&self) -> bool {
-        let turns = |spring: &Spring, arm: f64| arm != 0.0 && spring.acts();
-        let is_turned = turns(&self.z_left, self.arm_left) || turns(&self.z_right, self.arm_right);
-        self.inertia == 0.0 && !is_turned
     }
 }

@@ -1,7 +1,8 @@
 //! Exact frequency responses of a checked model: pure numerics, without input or output.
 //!
 //! [`sweep()`] is the entry point. Inside, `beam_matrices` has every theory, section and foundation as symmetric
-//! matrices, `plan` lays a model out along x, `attachment` is a subsystem as the beam sees it, `kernel` solves a plan;
+//! matrices, `plan` lays a model out along x, `attachment` is a subsystem as the beam sees it, `output` says what is read
+//! for a response, `kernel` solves a plan, low frequencies with the error-free sums and products of `error_free`;
 //! `solution` is its result for a whole model, `limit` finds the value at a resonance that no load excites,
 //! `sweep_cache` reuses what one edit leaves unchanged. `validity` says where a theory ends, `notes` what is unusual in
 //! a model.

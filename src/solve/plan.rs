@@ -8,7 +8,7 @@ use super::attachment::Attachment;
 use super::beam_state::BeamState;
 use super::linear::ZERO;
 use super::output::{Holds, Output, Read, Row, Sum};
-use super::springs::{restraint_stiffness, rows};
+use super::springs::{of_each, restraint_stiffness, rows};
 use super::waves::BeamConstants;
 use crate::model::{
     BeamMotion, Holder, Measure, Model, Place, Quantity, Reaction, Response, Restraint, Spring,
@@ -763,7 +763,7 @@ fn passed_on(
     motion: BeamMotion,
     subsystem: &Subsystem,
 ) -> impl Iterator<Item = (f64, SpringName)> {
-    let [across, left, right] = rows(subsystem).map(|stretch| {
+    let shares = rows(subsystem).map(|stretch| {
         // The forces on the beam's axis where it does not move.
         let mut forces = [ZERO; 6];
         for (own, share) in DISPLACEMENTS.into_iter().zip(stretch.beam) {
@@ -774,9 +774,7 @@ fn passed_on(
         held.support.point.forces(&forces)[motion as usize].re
     });
     let is_fixed = held.support[motion] == Restraint::Fixed;
-    let shares = [across, across, left, right]
-        .into_iter()
-        .zip(SpringName::ALL);
+    let shares = of_each(shares).into_iter().zip(SpringName::ALL);
     shares.filter(move |(share, _)| is_fixed && *share != 0.0)
 }
 

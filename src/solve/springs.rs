@@ -174,6 +174,11 @@ pub(super) fn rows(subsystem: &Subsystem) -> [Stretch; 3] {
     ]
 }
 
+/// For each of the four springs, of what is known for each row of [`rows`].
+pub(super) fn of_each<T: Clone>([across, left, right]: [T; 3]) -> [T; 4] {
+    [across.clone(), across, left, right]
+}
+
 impl Stretch {
     /// The terms of the stretch, m, for motions (y, z, theta) and (w, psi, v).
     fn terms(&self, [mass, [w, psi, v]]: [[Complex64; 3]; 2]) -> [Complex64; 6] {
@@ -212,13 +217,11 @@ pub(super) fn stretches(
         .map(|spring| spring.dynamic_stiffness(omega));
     // The forces of the beam on the mass: the y springs, and the sum and the difference of the z springs.
     let [force, sum, difference] = channels;
-    let y = better(&across, &[-force], of_left + of_right);
-    [
-        y,
-        y,
+    of_each([
+        better(&across, &[-force], of_left + of_right),
         better(&left, &[-0.5 * sum, 0.5 * difference], of_z_left),
         better(&right, &[-0.5 * sum, -0.5 * difference], of_z_right),
-    ]
+    ])
 }
 
 /// The stretches of the four springs, m, from the motions only.
@@ -226,8 +229,7 @@ pub(super) fn geometric_stretches(
     subsystem: &Subsystem,
     moved: [[Complex64; 3]; 2],
 ) -> [Complex64; 4] {
-    let [y, left, right] = rows(subsystem).map(|row| row.of(moved));
-    [y, y, left, right]
+    of_each(rows(subsystem).map(|row| row.of(moved)))
 }
 
 /// The sum of `lengths`, or that of `forces` over a stiffness: the one with the smaller terms.

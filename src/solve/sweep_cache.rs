@@ -29,7 +29,7 @@ const CHUNK: usize = 8 * MOST_LANES;
 const ALONE: usize = 32 * MOST_LANES;
 
 /// Of the limit below which frequencies are solved in numbers of twice the digits: up to this factor the cached sides keep
-/// their own, above it they are solved anew.
+/// their own, above it they are solved again.
 const MOST_RISE: f64 = 1.5;
 
 /// The cache between the sweeps of a model that is edited.

@@ -164,6 +164,18 @@ fn without_places(mut model: Model) -> Model {
     model
 }
 
+/// The largest deviation from each law.
+fn deviations(model: &Model, frequency: f64) -> [f64; 4] {
+    let none = |_: &Target| 0.0;
+    let lengths = without_places(model.clone());
+    [
+        deviation(model, &STIFFER, none, frequency),
+        deviation(model, &LOUDER, none, frequency),
+        deviation(model, &FASTER, none, frequency),
+        deviation(&lengths, &LONGER, load_power, frequency),
+    ]
+}
+
 /// Expected: rounding errors. Forces depend little on a stiff spring, and are small where they are differences.
 #[test]
 fn every_scaling_law_holds_for_forces() {
@@ -173,15 +185,8 @@ fn every_scaling_law_holds_for_forces() {
         with_forces(supported(true)),
     ] {
         model.responses.retain(|response| response.over.is_none());
-        let lengths = without_places(model.clone());
         for frequency in [37.0, 100.0, 333.3] {
-            let none = |_: &Target| 0.0;
-            let found = [
-                deviation(&model, &STIFFER, none, frequency),
-                deviation(&model, &LOUDER, none, frequency),
-                deviation(&model, &FASTER, none, frequency),
-                deviation(&lengths, &LONGER, load_power, frequency),
-            ];
+            let found = deviations(&model, frequency);
             assert!(
                 found.iter().all(|found| *found < 1e-9),
                 "{} {frequency} Hz: {found:?}",
@@ -209,7 +214,6 @@ fn every_scaling_law_holds() {
         thousand(),
     ]);
     for model in models {
-        let lengths = without_places(model.clone());
         for (frequency, allowed) in [
             (1.0, 1e-10),
             (37.0, 1e-12),
@@ -217,13 +221,7 @@ fn every_scaling_law_holds() {
             (333.3, 1e-12),
             (5000.0, 1e-12),
         ] {
-            let none = |_: &Target| 0.0;
-            let found = [
-                deviation(&model, &STIFFER, none, frequency),
-                deviation(&model, &LOUDER, none, frequency),
-                deviation(&model, &FASTER, none, frequency),
-                deviation(&lengths, &LONGER, load_power, frequency),
-            ];
+            let found = deviations(&model, frequency);
             assert!(
                 found.iter().all(|found| *found < allowed),
                 "{} {frequency} Hz: {found:?}",

@@ -65,25 +65,15 @@ pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
             Quantity::Reaction(Reaction::Support(Holder::Inner(name), _)) => {
                 let mut inner = model.supports.inner.iter();
                 if !inner.any(|support| support.name == *name) {
-                    faults.push(no_such_place(
-                        &path,
-                        name,
-                        &response.quantity,
-                        model,
-                        faults.len(),
-                    ));
+                    let places = Places::of(&response.quantity, model);
+                    no_such_place(&path, name, &places, faults);
                 }
             }
             Quantity::InternalForce(at, _) => place(&path, *at, model, faults),
             Quantity::Spring(name, ..) => match subsystem(model, name) {
                 None => {
-                    faults.push(no_such_place(
-                        &path,
-                        name,
-                        &response.quantity,
-                        model,
-                        faults.len(),
-                    ));
+                    let places = Places::of(&response.quantity, model);
+                    no_such_place(&path, name, &places, faults);
                 }
                 Some(subsystem) if in_use => attached(&path, subsystem, faults),
                 Some(_) => {}
@@ -150,11 +140,7 @@ fn target(path: &str, target: &Target, in_use: bool, model: &Model, faults: &mut
     match target {
         Target::Beam(at, _) => place(path, *at, model, faults),
         Target::Mass(name, motion) => match subsystem(model, name) {
-            None => {
-                let hint = faults.len() < MOST_HINTS;
-                let message = Places::of_motion(model).refusal(name, hint);
-                faults.push(Fault::new(format!("{path}.at"), message));
-            }
+            None => no_such_place(path, name, &Places::of_motion(model), faults),
             Some(subsystem) if in_use => mass(path, subsystem, *motion, faults),
             Some(_) => {}
         },
@@ -181,16 +167,10 @@ fn subsystem<'a>(model: &'a Model, name: &str) -> Option<&'a Subsystem> {
     model.subsystems.iter().find(|one| one.name == name)
 }
 
-/// A name where a quantity cannot be read; with a similar one if few faults were found `before`.
-fn no_such_place(
-    path: &str,
-    name: &str,
-    quantity: &Quantity,
-    model: &Model,
-    before: usize,
-) -> Fault {
-    let message = Places::of(quantity, model).refusal(name, before < MOST_HINTS);
-    Fault::new(format!("{path}.at"), message)
+/// A name that is none of the accepted places; with a similar one if few faults were found before.
+fn no_such_place(path: &str, name: &str, places: &Places<'_>, faults: &mut Vec<Fault>) {
+    let message = places.refusal(name, faults.len() < MOST_HINTS);
+    faults.push(Fault::new(format!("{path}.at"), message));
 }
 
 /// A subsystem that is in use.
@@ -210,14 +190,7 @@ fn attached(path: &str, subsystem: &Subsystem, faults: &mut Vec<Fault>) {
 /// A motion of a mass that is in use.
 fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<Fault>) {
     attached(path, subsystem, faults);
-    let moment = |left: f64, right: f64| {
-        left * subsystem.arm_left.powi(2) + right * subsystem.arm_right.powi(2) == 0.0
-    };
-    if motion == MassMotion::Theta
-        && subsystem.inertia == 0.0
-        && moment(subsystem.z_left.stiffness, subsystem.z_right.stiffness)
-        && moment(subsystem.z_left.damping, subsystem.z_right.damping)
-    {
+    if motion == MassMotion::Theta && !subsystem.can_turn() {
         faults.push(Fault::new(
             format!("{path}.direction"),
             format!(

@@ -303,10 +303,9 @@ fn subsystem(table: Option<Table<'_>>, reader: &mut Reader) -> Subsystem {
     if let Some(mut table) = table {
         let inner = table.open_rows(&mut subsystem, &SUBSYSTEM, reader, no_own);
         for (key, mut spring) in inner {
-            let index = SpringName::WORDS.iter().position(|own| *own == key);
-            if let Some(index) = index {
+            if let Some(name) = SpringName::of_word(key) {
                 let maxwell = maxwell(&mut spring, BeamMotion::W, reader);
-                subsystem.springs_mut()[index].maxwell = maxwell;
+                subsystem.springs_mut()[name as usize].maxwell = maxwell;
             }
             spring.finish(reader);
         }

@@ -1,6 +1,6 @@
 //! Nodes and the numbers of their unknowns.
 
-use crate::model::{BeamMotion, Restraint, Spring, Subsystem};
+use crate::model::{BeamMotion, Restraint};
 use crate::solve::layout::Layout;
 
 /// A motion as an unknown times a factor; `None` if a support fixes it.
@@ -128,7 +128,7 @@ impl Mesh {
             of_right_element,
         });
         for mass in layout.masses.iter().filter(|mass| mass.place == place) {
-            let turns = can_turn(mass.subsystem);
+            let turns = mass.subsystem.can_turn();
             let numbers = [
                 Some(self.next()),
                 Some(self.next()),
@@ -137,13 +137,4 @@ impl Mesh {
             self.masses.push(numbers);
         }
     }
-}
-
-/// Whether the rotation of a mass has an inertia, or a z spring or damper on an arm. Otherwise theta has no equation,
-/// and is 0.
-fn can_turn(subsystem: &Subsystem) -> bool {
-    let turned = |spring: &Spring, arm: f64| arm != 0.0 && spring.acts();
-    subsystem.inertia != 0.0
-        || turned(&subsystem.z_left, subsystem.arm_left)
-        || turned(&subsystem.z_right, subsystem.arm_right)
 }

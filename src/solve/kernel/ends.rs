@@ -10,7 +10,7 @@ use crate::model::{BeamMotion, Point, Restraint};
 use crate::solve::linear::ZERO;
 use crate::solve::plan::Held;
 
-/// Below a margin of the last system of so many roundings its solution is only rounding: the model has no damping and is
+/// Below a margin of the last system of this number of roundings its solution is only rounding: the model has no damping and is
 /// at a resonance to the last digits of the frequency.
 const RESONANT: f64 = 90.0;
 

@@ -139,7 +139,7 @@ impl<A: Arithmetic> Springs<A> {
             longest,
             inertia: square.scaled(Real::splat(attachment.inertia)),
             to_force: Real::ZERO.where_less(torque, torque, Real::ONE),
-            is_idle: attachment.is_never_turned(),
+            is_idle: !attachment.can_turn,
         }
     }
 

@@ -7,8 +7,8 @@
 //!
 //! `F = det(left) det(right) prod(omega^4 m^2 det(station)) exp(sum kappa l) / (det[Q; M] det[S; P])`
 //!
-//! in which the choice of each wave's sign and scale cancels. A Maxwell branch gives it a pole, by which it is multiplied. No factor contains a growing exponential. The kernel
-//! computes it at several frequencies at once.
+//! in which the choice of each wave's sign and scale cancels. A Maxwell branch gives it a pole, by which it is
+//! multiplied. No factor contains a growing exponential. The kernel computes it at several frequencies at once.
 
 use num_complex::Complex64;
 use rayon::prelude::*;

@@ -8,12 +8,9 @@ use num_complex::Complex64;
 
 use super::along::Along;
 use super::{Damper, Input, MassState, Power};
-use crate::model::{BeamMotion, Force, Spring, SupportId, Target};
+use crate::model::{BeamMotion, Force, Spring, SpringName, SupportId, Target};
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
-
-/// The spring words of the model file, in the order of [`MassState::forces`].
-const SPRINGS: [&str; 4] = ["y_left", "y_right", "z_left", "z_right"];
 
 /// All powers; `locals` are the states at the positions of the flow.
 pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[BeamState]) -> Power {
@@ -73,10 +70,10 @@ fn heat(omega: f64, spring: &Spring, stretch: Complex64) -> Option<f64> {
 fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
     let mut dampers = Vec::new();
     for (subsystem, state) in along.model.attached().zip(masses) {
-        for (index, spring) in subsystem.springs().into_iter().enumerate() {
-            let power = heat(along.omega, spring, state.stretches[index]);
+        for (name, stretch) in SpringName::ALL.into_iter().zip(state.stretches) {
+            let power = heat(along.omega, name.of(subsystem), stretch);
             dampers.extend(power.map(|power| Damper {
-                label: format!("{} {}", state.name, SPRINGS[index]),
+                label: format!("{} {}", state.name, name.key()),
                 power,
             }));
         }

@@ -10,7 +10,7 @@ use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::output::{Holds, Output, Read, Row, Sum};
 use crate::solve::plan::{Event, Plan};
-use crate::solve::springs::rows;
+use crate::solve::springs::{of_each, rows};
 
 use super::field::Setting;
 
@@ -202,12 +202,7 @@ fn pull(
     spring: SpringName,
     length: f64,
 ) -> [Complex64; 6] {
-    let [across, left, right] = rows(subsystem);
-    let stretch = match spring {
-        SpringName::YLeft | SpringName::YRight => across,
-        SpringName::ZLeft => left,
-        SpringName::ZRight => right,
-    };
+    let stretch = &of_each(rows(subsystem))[spring as usize];
     // The rows are those of the mass's end less the beam's.
     if let Event::Attachment(attachment) = &mut plan.stations[station].event {
         attachment.load = stretch.mass.map(|share| (-share).into());

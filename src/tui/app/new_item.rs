@@ -80,11 +80,15 @@ pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
     }
 }
 
-/// A Maxwell branch as stiff as the spring beside it, with its loss at the middle of the sweep.
+/// A Maxwell branch as stiff as the spring parallel to it, with its loss at the middle of the sweep.
 pub(crate) fn new_branch(model: &Model, id: SpringId) -> MaxwellBranch {
     const WITHOUT_SPRING: f64 = 1e6;
-    let beside = id.spring(model).map_or(0.0, |spring| spring.stiffness);
-    let stiffness = if beside > 0.0 { beside } else { WITHOUT_SPRING };
+    let parallel = id.spring(model).map_or(0.0, |spring| spring.stiffness);
+    let stiffness = if parallel > 0.0 {
+        parallel
+    } else {
+        WITHOUT_SPRING
+    };
     let omega = 2.0 * PI * (model.sweep.from * model.sweep.to).sqrt();
     MaxwellBranch {
         stiffness,

@@ -24,11 +24,11 @@ fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
         Group::Span(i) => saved.spans.get(i) != Some(&model.spans[i]),
         Group::Supports => model.supports != saved.supports,
         Group::Support(id) => counterpart(model, saved, group).is_none_or(|other| {
-            let at = |id: SupportId, model| (id.support(model).clone(), id.position(model));
-            match id {
-                SupportId::Left | SupportId::Right => id.support(model) != other.support(saved),
-                SupportId::Inner(_) => at(id, model) != at(other, saved),
-            }
+            let has_moved = match id {
+                SupportId::Left | SupportId::Right => false,
+                SupportId::Inner(_) => id.position(model) != other.position(saved),
+            };
+            has_moved || id.support(model) != other.support(saved)
         }),
         Group::Motion(id, motion) => counterpart(model, saved, group)
             .is_none_or(|other| id.support(model)[motion] != other.support(saved)[motion]),
